@@ -1,0 +1,48 @@
+import { mkdir, rename, rm, stat, writeFile } from 'node:fs/promises';
+import { basename, dirname, extname, join, resolve } from 'node:path';
+import { UsageError } from './options.ts';
+
+/** A clip's pose file is named after the clip: `walk.mp4` gives `walk.poses.json`. */
+function poseFileName(clip: string): string {
+  return `${basename(clip, extname(clip))}.poses.json`;
+}
+
+async function isDirectory(path: string): Promise<boolean> {
+  return stat(path).then(
+    (found) => found.isDirectory(),
+    () => false,
+  );
+}
+
+/**
+ * Where each clip's pose file goes: `out` itself when it names a file, else into the folder `out`,
+ * else into the current folder.
+ * @throws UsageError when two clips would be written to the same file.
+ */
+export async function outputPaths(clips: readonly string[], out?: string): Promise<string[]> {
+  const namesFile = out?.endsWith('.json') && !(await isDirectory(out));
+  if (out && namesFile && clips.length > 1) {
+    throw new UsageError(
+      `--out ${out} is one file, but there are ${clips.length} clips: name a folder.`,
+    );
+  }
+  const paths = clips.map((clip) =>
+    out && namesFile ? resolve(out) : resolve(out ?? '.', poseFileName(clip)),
+  );
+  const twice = paths.find((path, index) => paths.indexOf(path) !== index);
+  if (twice) throw new UsageError(`Two clips would both be written to ${twice}: rename one.`);
+  return paths;
+}
+
+/** Writes a file whole or not at all, making its folder. */
+export async function writeWhole(path: string, text: string): Promise<void> {
+  await mkdir(dirname(path), { recursive: true });
+  const partial = join(dirname(path), `.${basename(path)}.${process.pid}.part`);
+  try {
+    await writeFile(partial, text);
+    await rename(partial, path);
+  } catch (error) {
+    await rm(partial, { force: true });
+    throw error;
+  }
+}

@@ -1,0 +1,47 @@
+import { mkdtemp, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { build, preview } from 'vite';
+
+export const PROJECT_ROOT = resolve(import.meta.dirname, '../..');
+
+/** A built page being served on this machine. */
+export interface Site {
+  /** Ends in a slash. */
+  readonly url: string;
+  close(): Promise<void>;
+}
+
+/**
+ * Builds a page of the project as it is shipped and serves it on a free port of the loopback
+ * address. `page` is relative to the project's root; the build lives in a temporary folder.
+ */
+export async function buildAndServe(page: string): Promise<Site> {
+  const outDir = await mkdtemp(join(tmpdir(), 'deciwatch-site-'));
+  const remove = () => rm(outDir, { recursive: true, force: true });
+  try {
+    await build({
+      root: PROJECT_ROOT,
+      logLevel: 'error',
+      build: { outDir, emptyOutDir: true, rollupOptions: { input: join(PROJECT_ROOT, page) } },
+    });
+    const server = await preview({
+      root: PROJECT_ROOT,
+      logLevel: 'error',
+      build: { outDir },
+      preview: { host: '127.0.0.1', port: 0, strictPort: false, open: false },
+    });
+    const url = server.resolvedUrls?.local[0];
+    if (!url) throw new Error('The built page could not be served on 127.0.0.1.');
+    return {
+      url,
+      async close() {
+        await server.close();
+        await remove();
+      },
+    };
+  } catch (error) {
+    await remove();
+    throw error;
+  }
+}

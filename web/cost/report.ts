@@ -1,0 +1,25 @@
+/** FLOPs (2 × multiply-accumulates) or milliseconds of the three parts of equation 5. */
+export interface CostParts {
+  readonly estimator: number;
+  readonly denoise: number;
+  readonly recover: number;
+  readonly total: number;
+}
+
+/** What a clip cost, against watching every frame of it with the same estimator. */
+export interface CostReport {
+  readonly frames: number;
+  readonly estimatorCalls: number;
+  /** Equation 5 of the paper: mean FLOPs for one frame of the clip. */
+  readonly flopsPerFrame: CostParts;
+  /** FLOPs for one frame when the estimator watches every frame: f(E). */
+  readonly everyFrameFlopsPerFrame: number;
+  /** flopsPerFrame.total / everyFrameFlopsPerFrame. */
+  readonly flopsRatio: number;
+  /** Measured milliseconds for one frame of the clip. */
+  readonly msPerFrame: CostParts & { readonly decode: number };
+  /** The mean estimator call, in milliseconds: what watching one more frame would cost. */
+  readonly msPerEstimatorCall: number;
+  /** Milliseconds from the first frame asked for to the last pose, without loading. */
+  readonly wallMs: number;
+}

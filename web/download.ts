@@ -1,0 +1,95 @@
+import * as v from 'valibot';
+import { DeciWatchError } from './errors.ts';
+
+/** What a manifest says of a file beside it. */
+export interface FileEntry {
+  /** Relative to the manifest. */
+  readonly file: string;
+  readonly bytes: number;
+  /** Lower-case hexadecimal. */
+  readonly sha256: string;
+}
+
+/** The part that every file entry of a manifest has. */
+export const fileEntries = {
+  file: v.pipe(v.string(), v.minLength(1)),
+  bytes: v.pipe(v.number(), v.integer(), v.minValue(1)),
+  sha256: v.pipe(v.string(), v.regex(/^[0-9a-f]{64}$/)),
+};
+
+async function get(url: URL, signal?: AbortSignal): Promise<Response> {
+  const missing = (why: string, cause?: unknown) =>
+    new DeciWatchError(
+      'model-missing',
+      `${url.href} could not be loaded (${why}): check that the site was copied whole, and the connection.`,
+      { cause },
+    );
+  let response: Response;
+  try {
+    response = await fetch(url, signal ? { signal } : {});
+  } catch (error) {
+    signal?.throwIfAborted();
+    throw missing('no answer', error);
+  }
+  if (!response.ok) throw missing(`status ${response.status}`);
+  // Many servers answer with their start page where a file is missing.
+  if (response.headers.get('content-type')?.startsWith('text/html')) throw missing('a web page came');
+  return response;
+}
+
+/**
+ * Fetches a manifest and checks it.
+ * @throws DeciWatchError `model-missing` where it cannot be had, `model-mismatch` where it does not fit the schema.
+ */
+export async function fetchManifest<TSchema extends v.GenericSchema>(
+  url: URL,
+  schema: TSchema,
+  signal?: AbortSignal,
+): Promise<v.InferOutput<TSchema>> {
+  const response = await get(url, signal);
+  const mismatch = (why: string) =>
+    new DeciWatchError(
+      'model-mismatch',
+      `${url.href} is not a manifest that this version can read (${why}): deploy the page and its models together.`,
+    );
+  let json: unknown;
+  try {
+    json = await response.json();
+  } catch {
+    signal?.throwIfAborted();
+    throw mismatch('it is not JSON');
+  }
+  const result = v.safeParse(schema, json);
+  if (result.success) return result.output;
+  const issue = result.issues[0];
+  throw mismatch(`${v.getDotPath(issue) ?? 'the whole'}: ${issue.message}`);
+}
+
+/**
+ * Fetches a file that a manifest lists, and checks its length and, where the browser can (a secure
+ * context), its SHA-256.
+ * @throws DeciWatchError `model-missing` where it cannot be had, `model-mismatch` where it is another file.
+ */
+export async function fetchListed(
+  manifestUrl: URL,
+  entry: FileEntry,
+  signal?: AbortSignal,
+): Promise<Uint8Array<ArrayBuffer>> {
+  const url = new URL(entry.file, manifestUrl);
+  const response = await get(url, signal);
+  const bytes = new Uint8Array(await response.arrayBuffer());
+  const mismatch = (why: string) =>
+    new DeciWatchError(
+      'model-mismatch',
+      `${url.href} is not the file that its manifest lists (${why}): deploy both together, and empty the cache.`,
+    );
+  if (bytes.length !== entry.bytes) {
+    throw mismatch(`${bytes.length} bytes instead of ${entry.bytes}`);
+  }
+  if (globalThis.crypto?.subtle) {
+    const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes));
+    const hex = Array.from(digest, (byte) => byte.toString(16).padStart(2, '0')).join('');
+    if (hex !== entry.sha256) throw mismatch('another SHA-256');
+  }
+  return bytes;
+}

@@ -1,0 +1,29 @@
+/** What went wrong, for code that must act on it; the message is for people. */
+export type DeciWatchErrorCode =
+  | 'bad-option'
+  | 'file-unreadable'
+  | 'file-truncated'
+  | 'no-video-track'
+  | 'codec-unsupported'
+  | 'model-missing'
+  | 'model-mismatch'
+  | 'nobody-in-view'
+  | 'browser-unsupported'
+  | 'pose-file-invalid'
+  | 'engine-crashed';
+
+/**
+ * A failure that a user can be told about: `message` is one sentence that says what was wrong and
+ * what to do. Anything else that is thrown is a bug.
+ */
+export class DeciWatchError extends Error {
+  override readonly name = 'DeciWatchError';
+
+  constructor(
+    readonly code: DeciWatchErrorCode,
+    message: string,
+    options?: ErrorOptions,
+  ) {
+    super(message, options);
+  }
+}

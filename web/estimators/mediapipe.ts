@@ -1,0 +1,96 @@
+import type { PoseLandmarker } from '@mediapipe/tasks-vision';
+import wasmLoaderUrl from '@mediapipe/tasks-vision/vision_wasm_module_internal.js?url';
+import wasmBinaryUrl from '@mediapipe/tasks-vision/vision_wasm_module_internal.wasm?url';
+import { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
+import type { EstimatorImage, PoseEstimate, PoseEstimator } from './estimator.ts';
+
+/** What a MediaPipe Pose variant is made of. */
+export interface MediaPipeModel {
+  readonly name: string;
+  /** FLOPs of one call: detector and landmarks. */
+  readonly flops: number;
+  /** The bytes of a `.task` bundle. */
+  readonly bundle: Uint8Array;
+}
+
+interface Point {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+}
+
+/** MediaPipe looks for the factory of its WebAssembly module here. */
+interface MediaPipeGlobals {
+  ModuleFactory: unknown;
+}
+
+const [LEFT_HIP, RIGHT_HIP] = BLAZEPOSE_33.root as [number, number];
+
+/**
+ * MediaPipe Pose on the CPU, one person.
+ *
+ * Every call is in image mode: the detector, then the landmarks. Video mode would take the crop from
+ * the landmarks of the call before, which with N = 10 are a third of a second old: a person who walks
+ * has left it.
+ */
+export class MediaPipeEstimator implements PoseEstimator {
+  readonly skeleton = BLAZEPOSE_33;
+
+  private constructor(
+    readonly name: string,
+    readonly flops: number,
+    private readonly landmarker: PoseLandmarker,
+  ) {}
+
+  /** Loads the WebAssembly (once for each call) and the bundle. */
+  static async create(model: MediaPipeModel): Promise<MediaPipeEstimator> {
+    const { PoseLandmarker } = await import('@mediapipe/tasks-vision');
+    // MediaPipe would import the loader itself, and read the factory that it leaves in the global
+    // scope. A module runs once only, so that fails from the second estimator on.
+    const loader: { default: unknown } = await import(/* @vite-ignore */ absolute(wasmLoaderUrl));
+    (globalThis as unknown as MediaPipeGlobals).ModuleFactory = loader.default;
+    const landmarker = await PoseLandmarker.createFromOptions(
+      { wasmLoaderPath: '', wasmBinaryPath: absolute(wasmBinaryUrl) },
+      {
+        baseOptions: { modelAssetBuffer: model.bundle, delegate: 'CPU' },
+        runningMode: 'IMAGE',
+        numPoses: 1,
+      },
+    );
+    return new MediaPipeEstimator(model.name, model.flops, landmarker);
+  }
+
+  async estimate(image: EstimatorImage): Promise<PoseEstimate | null> {
+    const result = this.landmarker.detect(image);
+    const landmarks = result.landmarks[0];
+    const world = result.worldLandmarks[0];
+    if (!landmarks || !world) return null;
+    const width = 'displayWidth' in image ? image.displayWidth : image.width;
+    const height = 'displayHeight' in image ? image.displayHeight : image.height;
+    return {
+      keypoints2d: Float32Array.from(landmarks.flatMap(({ x, y }) => [x * width, y * height])),
+      keypoints3d: fromMidHip(world),
+      scores: Float32Array.from(landmarks, ({ visibility }) =>
+        Math.min(1, Math.max(0, visibility ?? 0)),
+      ),
+    };
+  }
+
+  close(): void {
+    this.landmarker.close();
+  }
+}
+
+/** World landmarks (y down, z away from the camera) in our axes, the mid-hip exactly at the origin. */
+function fromMidHip(world: readonly Point[]): Float32Array {
+  const left = world[LEFT_HIP]!;
+  const right = world[RIGHT_HIP]!;
+  const hip = { x: (left.x + right.x) / 2, y: (left.y + right.y) / 2, z: (left.z + right.z) / 2 };
+  return Float32Array.from(
+    world.flatMap(({ x, y, z }) => [x - hip.x, hip.y - y, hip.z - z]),
+  );
+}
+
+function absolute(url: string): string {
+  return new URL(url, import.meta.url).href;
+}

@@ -1,0 +1,15 @@
+/** The side of the body that a joint or bone belongs to, seen from the person. */
+export type Side = 'left' | 'right' | 'middle';
+
+/** The joints of a pose, in the order in which their values are stored, and the bones between them. */
+export interface Skeleton {
+  readonly name: string;
+  /** K joint names, in `snake_case`. */
+  readonly joints: readonly string[];
+  /** Pairs of joint indices. */
+  readonly bones: readonly (readonly [number, number])[];
+  /** K sides. */
+  readonly sides: readonly Side[];
+  /** Joints whose mean is the root (the mid-hip), to which 3D values are relative. */
+  readonly root: readonly number[];
+}
