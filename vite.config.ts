@@ -9,8 +9,13 @@ export default defineConfig({
     // it, rather than the one with its loader inlined, which hangs inside another's module worker.
     conditions: ['onnxruntime-web-use-extern-wasm', ...defaultClientConditions],
   },
+  server: {
+    // Python's environment and the training's results: tens of thousands of files, none of them ours.
+    watch: { ignored: ['**/export/**', '**/runs/**'] },
+  },
   optimizeDeps: {
-    // Left as it is: it finds its own files, and needs no bundling.
+    entries: ['*.html', 'web/**/*.html'],
+    // Left as it is: it is bundled already, and finds files of its own.
     exclude: ['onnxruntime-web'],
     // Reached only from the worker or by a dynamic import: found late, they would reload the page.
     include: ['@mediapipe/tasks-vision', 'comlink', 'mediabunny', 'valibot'],

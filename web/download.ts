@@ -33,7 +33,8 @@ async function get(url: URL, signal?: AbortSignal): Promise<Response> {
   }
   if (!response.ok) throw missing(`status ${response.status}`);
   // Many servers answer with their start page where a file is missing.
-  if (response.headers.get('content-type')?.startsWith('text/html')) throw missing('a web page came');
+  if (response.headers.get('content-type')?.startsWith('text/html'))
+    throw missing('a web page came');
   return response;
 }
 

@@ -16,7 +16,7 @@ export interface CostReport {
   readonly everyFrameFlopsPerFrame: number;
   /** flopsPerFrame.total / everyFrameFlopsPerFrame. */
   readonly flopsRatio: number;
-  /** Measured milliseconds for one frame of the clip. */
+  /** Measured milliseconds for one frame of the clip; the total is of all four, decoding included. */
   readonly msPerFrame: CostParts & { readonly decode: number };
   /** The mean estimator call, in milliseconds: what watching one more frame would cost. */
   readonly msPerEstimatorCall: number;

@@ -1,19 +1,9 @@
 import type { CostReport } from '../cost/report.ts';
 import type { EstimatorName } from '../estimators/names.ts';
 import type { PoseSequence } from '../pose/sequence.ts';
+import type { ClipInfo } from '../sources/clip.ts';
 
-/** What is known of a clip before any of its frames is decoded. */
-export interface ClipInfo {
-  readonly name: string;
-  /** Pixels, as displayed: rotation applied. */
-  readonly width: number;
-  readonly height: number;
-  readonly frameCount: number;
-  /** Mean frames per second, from the file's own timestamps. */
-  readonly frameRate: number;
-  /** Seconds, from the first frame's timestamp to the end of the last frame. */
-  readonly duration: number;
-}
+export type { ClipInfo };
 
 /** The two sequences recovered from a clip, what was seen of it, and what that cost. */
 export interface RecoveredClip {

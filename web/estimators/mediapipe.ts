@@ -19,10 +19,16 @@ interface Point {
   readonly z: number;
 }
 
-/** MediaPipe looks for the factory of its WebAssembly module here. */
+type ModuleFactory = (options: object) => Promise<unknown>;
+
+/** What MediaPipe's loader leaves in the global scope, and looks for there. */
 interface MediaPipeGlobals {
-  ModuleFactory: unknown;
+  ModuleFactory: ModuleFactory;
+  custom_dbg: (line: string) => void;
 }
+
+/** What MediaPipe's log says at each start when all is well. */
+const CHATTER = /^[IW]\d{4} |^INFO: |^Graph /;
 
 const [LEFT_HIP, RIGHT_HIP] = BLAZEPOSE_33.root as [number, number];
 
@@ -47,8 +53,12 @@ export class MediaPipeEstimator implements PoseEstimator {
     const { PoseLandmarker } = await import('@mediapipe/tasks-vision');
     // MediaPipe would import the loader itself, and read the factory that it leaves in the global
     // scope. A module runs once only, so that fails from the second estimator on.
-    const loader: { default: unknown } = await import(/* @vite-ignore */ absolute(wasmLoaderUrl));
-    (globalThis as unknown as MediaPipeGlobals).ModuleFactory = loader.default;
+    const loader: { default: ModuleFactory } = await import(
+      /* @vite-ignore */ absolute(wasmLoaderUrl)
+    );
+    const globals = globalThis as unknown as MediaPipeGlobals;
+    globals.ModuleFactory = (options) => loader.default({ ...options, print: log, printErr: log });
+    globals.custom_dbg = log;
     const landmarker = await PoseLandmarker.createFromOptions(
       { wasmLoaderPath: '', wasmBinaryPath: absolute(wasmBinaryUrl) },
       {
@@ -86,9 +96,11 @@ function fromMidHip(world: readonly Point[]): Float32Array {
   const left = world[LEFT_HIP]!;
   const right = world[RIGHT_HIP]!;
   const hip = { x: (left.x + right.x) / 2, y: (left.y + right.y) / 2, z: (left.z + right.z) / 2 };
-  return Float32Array.from(
-    world.flatMap(({ x, y, z }) => [x - hip.x, hip.y - y, hip.z - z]),
-  );
+  return Float32Array.from(world.flatMap(({ x, y, z }) => [x - hip.x, hip.y - y, hip.z - z]));
+}
+
+function log(line: string): void {
+  if (!CHATTER.test(line)) console.warn(line);
 }
 
 function absolute(url: string): string {

@@ -1,4 +1,4 @@
-import type { Side, Skeleton } from './skeleton.ts';
+import { type Skeleton, sideOf } from './skeleton.ts';
 
 const JOINTS = [
   'nose',
@@ -35,11 +35,6 @@ const JOINTS = [
   'left_foot_index',
   'right_foot_index',
 ] as const;
-
-function sideOf(joint: string): Side {
-  if (joint.includes('left')) return 'left';
-  return joint.includes('right') ? 'right' : 'middle';
-}
 
 /**
  * MediaPipe Pose's 33 landmarks (BlazePose).

@@ -1,3 +1,4 @@
+import { frameAtTime } from './sequence.ts';
 import { InterpolatingSpline } from './spline.ts';
 
 /** The classical ways to fill in frames, from the plainest to the smoothest. */
@@ -50,7 +51,7 @@ function writerFor(degree: number, times: Float64Array, values: ArrayLike<number
 function nearestWriter(times: Float64Array, values: ArrayLike<number>): Writer {
   const channels = values.length / times.length;
   return (time, out, offset) => {
-    const left = intervalOf(times, time);
+    const left = frameAtTime(times, time);
     // Half way between two samples the earlier one counts, as in SciPy.
     const isLeft = left === times.length - 1 || time <= times[left]! / 2 + times[left + 1]! / 2;
     const from = (isLeft ? left : left + 1) * channels;
@@ -61,23 +62,11 @@ function nearestWriter(times: Float64Array, values: ArrayLike<number>): Writer {
 function linearWriter(times: Float64Array, values: ArrayLike<number>): Writer {
   const channels = values.length / times.length;
   return (time, out, offset) => {
-    const left = Math.min(intervalOf(times, time), times.length - 2);
+    const left = Math.min(frameAtTime(times, time), times.length - 2);
     const share = (time - times[left]!) / (times[left + 1]! - times[left]!);
     for (let c = 0; c < channels; c++) {
       const a = values[left * channels + c]!;
       out[offset + c] = a + share * (values[(left + 1) * channels + c]! - a);
     }
   };
-}
-
-/** The last sample that is not after `time`. */
-function intervalOf(times: Float64Array, time: number): number {
-  let low = 0;
-  let high = times.length - 1;
-  while (low < high) {
-    const middle = (low + high + 1) >> 1;
-    if (times[middle]! <= time) low = middle;
-    else high = middle - 1;
-  }
-  return low;
 }

@@ -13,3 +13,9 @@ export interface Skeleton {
   /** Joints whose mean is the root (the mid-hip), to which 3D values are relative. */
   readonly root: readonly number[];
 }
+
+/** The side that a joint's name tells: `left_hip`, `mouth_right`; joints without one are in the middle. */
+export function sideOf(joint: string): Side {
+  if (joint.includes('left')) return 'left';
+  return joint.includes('right') ? 'right' : 'middle';
+}

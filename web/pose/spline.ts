@@ -123,12 +123,10 @@ export class InterpolatingSpline {
  * between samples (quadratic) without the first and the last of them.
  */
 function knotsFor(degree: 2 | 3, times: Float64Array): Float64Array {
-  const first = times[0]!;
-  const last = times.at(-1)!;
   const inner =
     degree === 3
       ? times.subarray(2, -2)
       : times.subarray(1, -2).map((time, i) => (time + times[i + 2]!) / 2);
-  const end = new Array<number>(degree + 1);
-  return Float64Array.of(...end.fill(first), ...inner, ...end.slice().fill(last));
+  const repeated = (time: number) => new Array<number>(degree + 1).fill(time);
+  return Float64Array.from([...repeated(times[0]!), ...inner, ...repeated(times.at(-1)!)]);
 }

@@ -1,0 +1,67 @@
+import { beforeAll, describe, expect, test } from 'vitest';
+import { fetchListed } from '../../web/download.ts';
+import { fetchModelManifest, type ModelManifest } from '../../web/recovery/manifest.ts';
+import { Net } from '../../web/recovery/runtime.ts';
+import parity2d from '../fixtures/parity-2d.json';
+import parity3d from '../fixtures/parity-3d.json';
+
+/** onnxruntime-web adds up in another order than torch does. */
+const TOLERANCE = 1e-4;
+
+const MANIFEST_URL = new URL('/models/manifest.json', location.href);
+
+type Case = (typeof parity3d.cases)[number];
+type Name = keyof Case['shapes'];
+
+let manifest: ModelManifest;
+beforeAll(async () => {
+  manifest = await fetchModelManifest(MANIFEST_URL);
+});
+
+function given(from: Case, name: Name) {
+  return { data: Float32Array.from(from[name]), dims: from.shapes[name] };
+}
+
+function greatestDifference(actual: Float32Array, expected: readonly number[]): number {
+  expect(actual.length).toBe(expected.length);
+  return expected.reduce((most, value, i) => Math.max(most, Math.abs(value - actual[i]!)), 0);
+}
+
+describe.each([
+  ['3d', parity3d],
+  ['2d', parity2d],
+] as const)('the %s nets give what torch gave', (name, { cases }) => {
+  let denoise: Net;
+  let recover: Net;
+  beforeAll(async () => {
+    const pair = manifest.pairs[name];
+    denoise = await Net.create(await fetchListed(MANIFEST_URL, pair.denoise));
+    recover = await Net.create(await fetchListed(MANIFEST_URL, pair.recover));
+    return () => Promise.all([denoise.dispose(), recover.dispose()]);
+  });
+
+  test.each<Case>(cases)('$name: S = $samples, T = $frames', async (one) => {
+    const { clean, features } = await denoise.run({
+      sampled: given(one, 'sampled'),
+      sample_times: given(one, 'sampleTimes'),
+    });
+    expect(greatestDifference(clean!.data, one.clean)).toBeLessThan(TOLERANCE);
+    expect(greatestDifference(features!.data, one.features)).toBeLessThan(TOLERANCE);
+    expect(features!.dims).toEqual(one.shapes.features);
+    const { poses } = await recover.run({
+      clean: clean!,
+      features: features!,
+      sample_times: given(one, 'sampleTimes'),
+      frame_times: given(one, 'frameTimes'),
+    });
+    expect(poses!.dims).toEqual(one.shapes.poses);
+    expect(greatestDifference(poses!.data, one.poses)).toBeLessThan(TOLERANCE);
+  });
+
+  test('runs that are asked for at once wait for one another', async () => {
+    const one = cases[0]! as Case;
+    const inputs = { sampled: given(one, 'sampled'), sample_times: given(one, 'sampleTimes') };
+    const [first, second] = await Promise.all([denoise.run(inputs), denoise.run(inputs)]);
+    expect(second!.clean!.data).toEqual(first!.clean!.data);
+  });
+});

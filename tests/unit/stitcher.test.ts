@@ -1,0 +1,60 @@
+import { expect, it } from 'vitest';
+import { Stitcher } from '../../web/sampling/stitcher.ts';
+import { watchedFrames } from '../../web/sampling/watched.ts';
+import { cutWindows } from '../../web/sampling/windows.ts';
+import { seededRandom } from './random.ts';
+
+const SIZE = 3;
+
+function timesOf(frameCount: number): Float64Array {
+  return Float64Array.from({ length: frameCount }, (_, i) => i / 30);
+}
+
+it('gives back exactly the poses on which all windows agree, at any length and N', () => {
+  const random = seededRandom(1);
+  for (let frameCount = 1; frameCount <= 300; frameCount += 7) {
+    const poses = Float32Array.from({ length: frameCount * SIZE }, () => random() * 1000 - 500);
+    for (let every = 1; every <= 20; every++) {
+      const stitcher = new Stitcher(frameCount, SIZE);
+      for (const window of cutWindows(
+        watchedFrames(frameCount, every),
+        timesOf(frameCount),
+        every,
+      )) {
+        const { firstFrame, lastFrame } = window;
+        stitcher.add(window, poses.subarray(firstFrame * SIZE, (lastFrame + 1) * SIZE));
+      }
+      const isSame = stitcher.finish().every((value, i) => value === poses[i]);
+      expect(isSame, `T = ${frameCount}, N = ${every}`).toBe(true);
+    }
+  }
+});
+
+it('passes from one window to the next without a jump, even where they disagree', () => {
+  const windows = cutWindows(watchedFrames(231, 10), timesOf(231), 10);
+  const stitcher = new Stitcher(231, 1);
+  windows.forEach((window, i) => {
+    const frames = window.lastFrame - window.firstFrame + 1;
+    stitcher.add(window, new Float32Array(frames).fill(i % 2));
+  });
+  const stitched = stitcher.finish();
+  // Windows that disagree by 1 share at least 50 frames, so that steps stay near 1/50.
+  for (let t = 1; t < stitched.length; t++) {
+    expect(Math.abs(stitched[t]! - stitched[t - 1]!), `at frame ${t}`).toBeLessThan(0.04);
+  }
+  expect(stitched[0]).toBe(0);
+  expect(stitched[230]).toBe(1);
+});
+
+it('leaves NaN in frames that no window covers', () => {
+  const stitcher = new Stitcher(4, 2);
+  stitcher.add({ samples: [0], firstFrame: 1, lastFrame: 1 }, Float32Array.of(5, 6));
+  expect([...stitcher.finish()]).toEqual([NaN, NaN, 5, 6, NaN, NaN, NaN, NaN]);
+});
+
+it('refuses poses that do not fit their window', () => {
+  const stitcher = new Stitcher(4, 2);
+  const window = { samples: [0, 1], firstFrame: 1, lastFrame: 3 };
+  expect(() => stitcher.add(window, new Float32Array(5))).toThrow(RangeError);
+  expect(() => stitcher.add({ ...window, lastFrame: 4 }, new Float32Array(8))).toThrow(RangeError);
+});

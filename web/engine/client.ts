@@ -1,0 +1,159 @@
+import * as Comlink from 'comlink';
+import estimatorManifestUrl from '/estimators/manifest.json?url';
+import modelManifestUrl from '/models/manifest.json?url';
+import { DeciWatchError } from '../errors.ts';
+import { ESTIMATOR_NAMES } from '../estimators/names.ts';
+import { checkInterval } from '../sampling/watched.ts';
+import type { EngineWorker, Outcome } from './messages.ts';
+import type { ModelUrls } from './models.ts';
+import { startWorker } from './start-worker.ts';
+import type { Engine, RecoveredClip, RecoverOptions, RecoverProgress } from './types.ts';
+
+/** For those who serve the models from elsewhere, or their own. Relative to the page. */
+export interface EngineOptions {
+  /** Of `models/manifest.json`. */
+  readonly modelsUrl?: string | URL;
+  /** Of `estimators/manifest.json`. */
+  readonly estimatorsUrl?: string | URL;
+}
+
+/** Makes an engine. Its worker starts with the first clip, and is started anew after a crash. */
+export function createEngine(options: EngineOptions = {}): Engine {
+  return new WorkerEngine({
+    models: absolute(options.modelsUrl, modelManifestUrl),
+    estimators: absolute(options.estimatorsUrl, estimatorManifestUrl),
+  });
+}
+
+function absolute(given: string | URL | undefined, own: string): string {
+  return given ? new URL(given, document.baseURI).href : new URL(own, import.meta.url).href;
+}
+
+function checkEstimator(name: string): void {
+  if (ESTIMATOR_NAMES.some((known) => known === name)) return;
+  throw new DeciWatchError(
+    'bad-option',
+    `The estimator is ${name}; choose one of ${ESTIMATOR_NAMES.join(', ')}.`,
+  );
+}
+
+/** A listener that throws must not end the job; its error shows where uncaught ones do. */
+function tellSafely(listener: RecoverOptions['onProgress'], progress: RecoverProgress): void {
+  try {
+    listener?.(progress);
+  } catch (error) {
+    reportError(error);
+  }
+}
+
+/** A worker, and a promise that rejects when it dies. */
+interface Running {
+  readonly worker: Worker;
+  readonly remote: Comlink.Remote<EngineWorker>;
+  readonly death: Promise<never>;
+}
+
+class WorkerEngine implements Engine {
+  #running: Running | undefined;
+  #lastJob: Promise<unknown> = Promise.resolve();
+  readonly #closing = new AbortController();
+
+  constructor(private readonly urls: ModelUrls) {}
+
+  async recover(file: Blob, name: string, options: RecoverOptions): Promise<RecoveredClip> {
+    checkInterval(options.every);
+    checkEstimator(options.estimator);
+    const signals = [this.#closing.signal, ...(options.signal ? [options.signal] : [])];
+    const signal = AbortSignal.any(signals);
+    signal.throwIfAborted();
+    const job = this.#lastJob.then(() => this.#run(file, name, options, signal));
+    this.#lastJob = job.catch(() => {});
+    return untilAborted(job, signal);
+  }
+
+  close(): void {
+    this.#closing.abort(new DOMException('The engine was closed.', 'AbortError'));
+    this.#stop();
+  }
+
+  async #run(
+    file: Blob,
+    name: string,
+    { every, estimator, onProgress }: RecoverOptions,
+    signal: AbortSignal,
+  ): Promise<RecoveredClip> {
+    signal.throwIfAborted();
+    this.#running ??= start();
+    const { remote, death } = this.#running;
+    const abort = () => void remote.abort();
+    signal.addEventListener('abort', abort);
+    const tell = Comlink.proxy((progress: RecoverProgress) => {
+      if (!signal.aborted) tellSafely(onProgress, progress);
+    });
+    try {
+      const job = { file, name, every, estimator, urls: this.urls };
+      return unwrap(await Promise.race([remote.recover(job, tell), death]), signal);
+    } catch (error) {
+      if (error instanceof DeciWatchError && error.code === 'engine-crashed') this.#stop();
+      throw error;
+    } finally {
+      signal.removeEventListener('abort', abort);
+    }
+  }
+
+  #stop(): void {
+    this.#running?.worker.terminate();
+    this.#running = undefined;
+  }
+}
+
+function start(): Running {
+  const worker = tryToStart();
+  const death = new Promise<never>((_, reject) => {
+    worker.addEventListener('error', (event) => {
+      event.preventDefault();
+      reject(crash(event.message || 'its code could not be loaded'));
+    });
+    worker.addEventListener('messageerror', () => reject(crash('it sent what cannot be read')));
+  });
+  // Told to whoever waits; nobody may.
+  death.catch(() => {});
+  return { worker, remote: Comlink.wrap<EngineWorker>(worker), death };
+}
+
+/** A page's content security policy can forbid workers, which throws. */
+function tryToStart(): Worker {
+  try {
+    return startWorker();
+  } catch (error) {
+    throw crash(error instanceof Error ? error.message : String(error));
+  }
+}
+
+function unwrap(outcome: Outcome, signal: AbortSignal): RecoveredClip {
+  switch (outcome.kind) {
+    case 'done':
+      return outcome.clip;
+    case 'failed':
+      throw new DeciWatchError(outcome.code, outcome.message);
+    case 'crashed':
+      throw crash(outcome.message);
+    case 'aborted':
+      throw signal.reason;
+  }
+}
+
+function crash(detail: string): DeciWatchError {
+  return new DeciWatchError(
+    'engine-crashed',
+    `The engine stopped working (${detail}): try again, and reload the page if it happens twice.`,
+  );
+}
+
+/** Rejects as soon as the signal says so, while the job ends in its own time. */
+function untilAborted<T>(job: Promise<T>, signal: AbortSignal): Promise<T> {
+  return new Promise((resolve, reject) => {
+    signal.addEventListener('abort', () => reject(signal.reason), { once: true });
+    job.then(resolve, reject);
+  });
+}

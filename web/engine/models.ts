@@ -1,0 +1,62 @@
+import { fetchListed } from '../download.ts';
+import type { PoseEstimator } from '../estimators/estimator.ts';
+import { fetchEstimatorManifest } from '../estimators/manifest.ts';
+import { MediaPipeEstimator } from '../estimators/mediapipe.ts';
+import type { EstimatorName } from '../estimators/names.ts';
+import { Recoverer } from '../recovery/recoverer.ts';
+
+/** Where the two manifests are; the files that they list lie beside them. */
+export interface ModelUrls {
+  readonly models: string;
+  readonly estimators: string;
+}
+
+/** Large enough for the estimator to look at, and nobody in it. */
+const WARM_UP_PX = 64;
+
+/**
+ * Keeps what was loaded, from one clip to the next: the nets, and the estimator that was used last.
+ * Owns them until the worker ends. What failed to load is tried again the next time.
+ */
+export class Models {
+  #recoverer: Recoverer | undefined;
+  #estimator: PoseEstimator | undefined;
+
+  constructor(private readonly urls: ModelUrls) {}
+
+  /** @throws DeciWatchError `model-missing` or `model-mismatch` */
+  async recoverer(signal: AbortSignal): Promise<Recoverer> {
+    this.#recoverer ??= await Recoverer.load(new URL(this.urls.models), signal);
+    return this.#recoverer;
+  }
+
+  /**
+   * Closes the estimator in use when another one is asked for. Its bundle is fetched only now.
+   * @throws DeciWatchError `model-missing` or `model-mismatch`
+   */
+  async estimator(name: EstimatorName, signal: AbortSignal): Promise<PoseEstimator> {
+    if (this.#estimator?.name === name) return this.#estimator;
+    const url = new URL(this.urls.estimators);
+    const { estimators } = await fetchEstimatorManifest(url, signal);
+    const entry = estimators[name];
+    const bundle = await fetchListed(url, entry, signal);
+    this.#estimator?.close();
+    this.#estimator = undefined;
+    const estimator = await MediaPipeEstimator.create({
+      name,
+      flops: entry.flops.perCall,
+      bundle,
+    });
+    // The first call prepares the nets, and would spoil the clip's own times.
+    await estimator.estimate(blank());
+    this.#estimator = estimator;
+    return estimator;
+  }
+}
+
+function blank(): OffscreenCanvas {
+  const canvas = new OffscreenCanvas(WARM_UP_PX, WARM_UP_PX);
+  // Without a context a canvas has no pixels to look at.
+  canvas.getContext('2d');
+  return canvas;
+}

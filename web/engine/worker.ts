@@ -1,0 +1,75 @@
+import * as Comlink from 'comlink';
+import { DeciWatchError } from '../errors.ts';
+import { openFile } from '../sources/file.ts';
+import type { EngineWorker, JobMessage, Outcome } from './messages.ts';
+import { Models } from './models.ts';
+import { ProgressReporter } from './progress.ts';
+import { recoverClip } from './recover-clip.ts';
+import { checkSupport } from './support.ts';
+import type { RecoveredClip } from './types.ts';
+
+let models: Models | undefined;
+let current: AbortController | undefined;
+
+async function run(
+  { file, name, every, estimator, urls }: JobMessage,
+  progress: ProgressReporter,
+  signal: AbortSignal,
+): Promise<RecoveredClip> {
+  checkSupport();
+  // Opened first: a file that cannot be used costs no download.
+  const clip = await openFile(file, name);
+  try {
+    const { frameCount } = clip.info;
+    models ??= new Models(urls);
+    progress.report('loading', 0, 0, frameCount);
+    const recoverer = await models.recoverer(signal);
+    signal.throwIfAborted();
+    progress.report('loading', 0.5, 0, frameCount);
+    const loaded = await models.estimator(estimator, signal);
+    signal.throwIfAborted();
+    return await recoverClip({ clip, estimator: loaded, recoverer, every, progress, signal });
+  } finally {
+    clip.close();
+  }
+}
+
+function failure(error: unknown, signal: AbortSignal): Outcome {
+  if (signal.aborted) return { kind: 'aborted' };
+  if (error instanceof DeciWatchError) {
+    return { kind: 'failed', code: error.code, message: error.message };
+  }
+  return { kind: 'crashed', message: error instanceof Error ? error.message : String(error) };
+}
+
+const engine: EngineWorker = {
+  async recover(job, onProgress) {
+    const controller = new AbortController();
+    const { signal } = controller;
+    current = controller;
+    const progress = new ProgressReporter(onProgress);
+    try {
+      const clip = await run(job, progress, signal);
+      // Progress and the result go by different ports, which keep no order between them.
+      await progress.finish(clip.source.frameCount);
+      return Comlink.transfer<Outcome>({ kind: 'done', clip }, buffersOf(clip));
+    } catch (error) {
+      return failure(error, signal);
+    } finally {
+      current = undefined;
+      // Closes the port that the listener is reached by.
+      (onProgress as Partial<Comlink.ProxyMethods>)[Comlink.releaseProxy]?.();
+    }
+  },
+  abort() {
+    current?.abort();
+  },
+};
+
+function buffersOf({ poses2d, poses3d }: RecoveredClip): Transferable[] {
+  const arrays = [poses2d, poses3d].flatMap((p) => [p.times, p.values, p.scores, p.watched]);
+  // The two sequences share some of them, and a buffer can be handed over once only.
+  return [...new Set(arrays.map(({ buffer }) => buffer as ArrayBuffer))];
+}
+
+Comlink.expose(engine);

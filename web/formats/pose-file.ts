@@ -1,0 +1,9 @@
+/** The pose file, `deciwatch-poses/1`: see `docs/pose-file.md`. */
+export { parsePoseFile } from './pose-file-reader.ts';
+export {
+  POSE_FILE_FORMAT,
+  type PoseFile,
+  type PoseFileFrame,
+} from './pose-file-schema.ts';
+export { stringifyPoseFile, toPoseFile } from './pose-file-writer.ts';
+export { posesFromFile } from './poses-from-file.ts';

@@ -1,0 +1,126 @@
+import type { PoseEstimate } from '../estimators/estimator.ts';
+import { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
+import type { PoseSequence } from '../pose/sequence.ts';
+import { Stitcher } from '../sampling/stitcher.ts';
+import { cutWindows, type SampleWindow } from '../sampling/windows.ts';
+import { fetchModelManifest, type PairEntry } from './manifest.ts';
+import { fetchPair, NetPair } from './net-pair.ts';
+import { centreOnRoot } from './root.ts';
+import { interpolateScores } from './scores.ts';
+import type { WatchedClip } from './watched-clip.ts';
+
+/** One window through one pair of nets. */
+export interface PairRun {
+  readonly entry: PairEntry;
+  /** S. */
+  readonly samples: number;
+  /** T of the window. */
+  readonly frames: number;
+  readonly denoiseMs: number;
+  readonly recoverMs: number;
+}
+
+/** A pose for every frame, from the poses of the watched ones, in 2D and in 3D. */
+export class Recoverer {
+  private constructor(
+    private readonly pair2d: NetPair,
+    private readonly pair3d: NetPair,
+  ) {}
+
+  /**
+   * Fetches the manifest and the four nets, and runs each once: the first run is slower than the others.
+   * @throws DeciWatchError `model-missing` or `model-mismatch`
+   */
+  static async load(manifestUrl: URL, signal?: AbortSignal): Promise<Recoverer> {
+    const { pairs } = await fetchModelManifest(manifestUrl, signal);
+    // All files before the first net: what fails on the way leaves nothing to free.
+    const [files2d, files3d] = await Promise.all([
+      fetchPair(manifestUrl, pairs['2d'], signal),
+      fetchPair(manifestUrl, pairs['3d'], signal),
+    ]);
+    const pair2d = await NetPair.create(pairs['2d'], files2d);
+    const pair3d = await NetPair.create(pairs['3d'], files3d);
+    for (const pair of [pair2d, pair3d]) {
+      const times = Float64Array.of(0, 1 / 3);
+      const sampled = new Float32Array(2 * BLAZEPOSE_33.joints.length * pair.dims);
+      await pair.run({ sampled, sampleTimes: times, frameTimes: times });
+    }
+    return new Recoverer(pair2d, pair3d);
+  }
+
+  /**
+   * @param onRun called after each window and pair; may wait, so that others get their turn, and may
+   *   throw, which ends the work
+   */
+  async recover(
+    clip: WatchedClip,
+    onRun: (run: PairRun, done: number, total: number) => void | Promise<void>,
+  ): Promise<{ poses2d: PoseSequence; poses3d: PoseSequence }> {
+    const seenFrames = clip.seen.map(({ frame }) => frame);
+    const windows = cutWindows(seenFrames, clip.times, clip.every);
+    const total = 2 * windows.length;
+    let done = 0;
+    const report = (run: PairRun) => onRun(run, ++done, total);
+
+    const values2d = await recoverAll(this.pair2d, clip, windows, (e) => e.keypoints2d, report);
+    const values3d = await recoverAll(this.pair3d, clip, windows, (e) => e.keypoints3d, report);
+    // The nets move the hips by millimetres; 3D poses are relative to the mid-hip, exactly.
+    centreOnRoot(values3d, BLAZEPOSE_33);
+
+    const shared = {
+      skeleton: BLAZEPOSE_33,
+      times: clip.times,
+      scores: interpolateScores(clip, windows),
+      watched: watchedFlags(clip),
+    };
+    return {
+      poses2d: { ...shared, dims: 2, values: values2d },
+      poses3d: { ...shared, dims: 3, values: values3d },
+    };
+  }
+
+  async dispose(): Promise<void> {
+    await this.pair2d.dispose();
+    await this.pair3d.dispose();
+  }
+}
+
+/** All frames of a clip in one representation: T·K·D values, NaN where no window reaches. */
+async function recoverAll(
+  pair: NetPair,
+  { times, seen }: WatchedClip,
+  windows: readonly SampleWindow[],
+  keypoints: (estimate: PoseEstimate) => Float32Array,
+  report: (run: PairRun) => void | Promise<void>,
+): Promise<Float32Array> {
+  const size = BLAZEPOSE_33.joints.length * pair.dims;
+  const stitcher = new Stitcher(times.length, size);
+  for (const window of windows) {
+    const samples = window.samples.map((position) => seen[position]!);
+    const sampled = new Float32Array(samples.length * size);
+    samples.forEach(({ estimate }, s) => {
+      sampled.set(keypoints(estimate), s * size);
+    });
+    const frameTimes = times.subarray(window.firstFrame, window.lastFrame + 1);
+    const { poses, denoiseMs, recoverMs } = await pair.run({
+      sampled,
+      sampleTimes: Float64Array.from(samples, ({ frame }) => times[frame]!),
+      frameTimes,
+    });
+    stitcher.add(window, poses);
+    await report({
+      entry: pair.entry,
+      samples: samples.length,
+      frames: frameTimes.length,
+      denoiseMs,
+      recoverMs,
+    });
+  }
+  return stitcher.finish();
+}
+
+function watchedFlags({ times, watched }: WatchedClip): Uint8Array {
+  const flags = new Uint8Array(times.length);
+  for (const frame of Array.from(watched)) flags[frame] = 1;
+  return flags;
+}

@@ -1,0 +1,32 @@
+import { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
+import type { SampleWindow } from '../sampling/windows.ts';
+import type { WatchedClip } from './watched-clip.ts';
+
+/**
+ * A score for every joint of every frame: straight lines between the samples of a window, and 0 in
+ * frames that no window reaches. The nets do not judge their own poses.
+ * @returns T·K values, 0 to 1
+ */
+export function interpolateScores(
+  { times, seen }: Pick<WatchedClip, 'times' | 'seen'>,
+  windows: readonly SampleWindow[],
+): Float32Array {
+  const keypoints = BLAZEPOSE_33.joints.length;
+  const scores = new Float32Array(times.length * keypoints);
+  for (const { samples } of windows) {
+    for (const [s, position] of samples.entries()) {
+      const from = seen[position]!;
+      // A window's last sample stands for its own frame alone.
+      const to = seen[samples[s + 1] ?? position]!;
+      const length = times[to.frame]! - times[from.frame]!;
+      for (let frame = from.frame; frame <= to.frame; frame++) {
+        const share = length > 0 ? (times[frame]! - times[from.frame]!) / length : 0;
+        for (let k = 0; k < keypoints; k++) {
+          const start = from.estimate.scores[k]!;
+          scores[frame * keypoints + k] = start + share * (to.estimate.scores[k]! - start);
+        }
+      }
+    }
+  }
+  return scores;
+}
