@@ -61,6 +61,26 @@ test('an abort stops within one estimator call and leaves no frame open', async 
   expect(openFrames.seen).toBeGreaterThanOrEqual(3);
 });
 
+test('an abort stops the nets between two windows', async () => {
+  const abort = new AbortController();
+  const clip = await openFile(await fixture('vfr.mp4'), 'vfr.mp4');
+  const stages: string[] = [];
+  const job = recoverClip({
+    clip,
+    estimator: new FakeEstimator(),
+    recoverer,
+    every: 1,
+    progress: new ProgressReporter(({ stage }) => {
+      if (stage === 'recovering' && !stages.includes(stage)) setTimeout(() => abort.abort());
+      stages.push(stage);
+    }),
+    signal: abort.signal,
+  });
+  await expect(job).rejects.toMatchObject({ name: 'AbortError' });
+  expect(stages).toContain('recovering');
+  clip.close();
+});
+
 test('uneven frame times are kept, and a whole job leaves no frame open', async () => {
   const clip = await openFile(await fixture('vfr.mp4'), 'vfr.mp4');
   const { poses2d, poses3d } = await run(clip, 10, new FakeEstimator());
