@@ -11,7 +11,7 @@ const fixture = (name: string) => join(PROJECT_ROOT, 'tests/fixtures', name);
 let visit: Visit;
 const pages: Page[] = [];
 
-async function open(prepare?: (page: Page) => Promise<void>) {
+async function open(prepare?: (page: Page) => Promise<unknown>) {
   const opened = await visit.open(prepare);
   pages.push(opened.page);
   return opened;
@@ -63,6 +63,10 @@ describe('the built demo', () => {
       .map((request) => request.url())
       .filter((url) => !/^(blob|data):/.test(url) && new URL(url).origin !== origin);
     expect(foreign).toEqual([]);
+    // The worker's requests are among them, or the line above would prove little.
+    expect(requests.some((request) => request.url().endsWith('pose_landmarker_full.task'))).toBe(
+      true,
+    );
     const stored = await page.evaluate(async () => ({
       local: localStorage.length,
       session: sessionStorage.length,
@@ -80,7 +84,6 @@ describe('the built demo', () => {
     const frames = await page.evaluate(() => document.documentElement.dataset.frames);
     await page.getByTestId('open-file').setInputFiles(fixture('corrupt.mp4'));
     await expect.poll(() => page.getByTestId('error').innerText()).toMatch(/corrupt\.mp4.*\./s);
-    await whenReady(page);
     expect(await page.evaluate(() => document.documentElement.dataset.frames)).toBe(frames);
     expect((await save(page)).source.name).toBe('walk.mp4');
   });
@@ -126,7 +129,7 @@ describe('the built demo', () => {
       }),
     );
     await whenReady(page);
-    await expect.poll(() => page.getByTestId('stage').innerText()).toMatch(/WebGL/);
+    await page.getByTestId('stage').getByText(/WebGL/).waitFor();
     expect((await save(page)).frames.length).toBeGreaterThan(0);
   });
 

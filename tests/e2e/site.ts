@@ -20,7 +20,7 @@ export class Visit {
 
   /** A page on the demo, in a context of its own, with every request that it makes. */
   async open(
-    prepare?: (page: Page) => Promise<void>,
+    prepare?: (page: Page) => Promise<unknown>,
   ): Promise<{ page: Page; requests: Request[] }> {
     const context = await this.browser.newContext({ viewport: { width: 1280, height: 900 } });
     const page = await context.newPage();

@@ -1,0 +1,79 @@
+"""Training goes on exactly from where it stopped, and gets somewhere."""
+
+from functools import partial
+
+import pytest
+import torch
+
+from deciwatch import checkpoint
+from deciwatch.data.batches import training_batch
+from deciwatch.errors import UserError
+from deciwatch.nets.pair import PairConfig
+from deciwatch.trainer import Recipe, Trainer
+
+CONFIG = PairConfig(dims=2, width=16, blocks=1)
+
+
+def trainer(motions, steps: int = 4, **options) -> Trainer:
+    batch = partial(training_batch, motions=motions, dims=2, budget=200)
+    return Trainer(CONFIG, Recipe(steps=steps, **options), batch)
+
+
+def test_two_steps_and_two_steps_are_four_steps(motions, tmp_path):
+    whole = trainer(motions)
+    losses = [whole.step() for _ in range(4)]
+    half = trainer(motions)
+    first = [half.step() for _ in range(2)]
+    half.save(tmp_path / "last.pt", {})
+    torch.manual_seed(12345)
+    rest = trainer(motions, seed=99)
+    rest.resume(tmp_path / "last.pt")
+    assert rest.progress == 0.5
+    assert first + [rest.step() for _ in range(2)] == losses
+    for ours, theirs in ((rest.pair, whole.pair), (rest.averaged, whole.averaged)):
+        for name, weight in theirs.state_dict().items():
+            assert torch.equal(ours.state_dict()[name], weight), name
+
+
+def test_training_lowers_the_loss(motions):
+    run = trainer(motions, steps=60, rate=4e-3, denoise_first=0.0)
+    losses = [run.step() for _ in range(60)]
+    assert sum(losses[-15:]) < 0.9 * sum(losses[:15])
+
+
+def test_the_rate_warms_up_and_comes_down(motions):
+    run = trainer(motions, steps=1000)
+    rates = []
+    for run.done in (0, 30, 500, 1000):
+        rates.append(run.rate())
+    assert rates[0] < rates[1] and rates[1] > rates[2] > rates[3] > 0
+    assert max(rates) == pytest.approx(run.recipe.rate, rel=0.01)
+
+
+def test_a_shared_checkpoint_cannot_be_resumed_but_started_from(motions, tmp_path):
+    run = trainer(motions)
+    run.step()
+    checkpoint.save(tmp_path / "shared.pt", CONFIG, run.averaged.state_dict(), {"steps": 1})
+    with pytest.raises(UserError, match="not a running training"):
+        run.resume(tmp_path / "shared.pt")
+    other = trainer(motions, seed=5)
+    assert other.start_from(tmp_path / "shared.pt") == {"steps": 1}
+    wider = Trainer(PairConfig(dims=2, width=20, blocks=1), run.recipe, run.make_batch)
+    with pytest.raises(UserError, match="another size"):
+        wider.start_from(tmp_path / "shared.pt")
+    assert torch.equal(other.pair.denoise.embed.weight, run.averaged.denoise.embed.weight)
+
+
+def test_damaged_checkpoints_are_named(tmp_path, motions):
+    run = trainer(motions)
+    run.save(tmp_path / "whole.pt", {})
+    whole = (tmp_path / "whole.pt").read_bytes()
+    (tmp_path / "half.pt").write_bytes(whole[: len(whole) // 2])
+    (tmp_path / "empty.pt").write_bytes(b"")
+    torch.save({"format": "another"}, tmp_path / "other.pt")
+    checkpoint.save(tmp_path / "mixed.pt", PairConfig(dims=3), run.pair.state_dict(), {})
+    for name in ("half", "empty", "other", "mixed", "none"):
+        with pytest.raises(UserError) as caught:
+            checkpoint.load_pair(tmp_path / f"{name}.pt")
+        assert f"{name}.pt" in str(caught.value) and "\n" not in str(caught.value)
+    assert sorted(p.name for p in tmp_path.iterdir() if p.name.startswith(".")) == []

@@ -1,0 +1,196 @@
+import { css, html, LitElement, nothing, type PropertyValues } from 'lit';
+import { customElement, property, query, state } from 'lit/decorators.js';
+import { DeciWatchError } from '../errors.ts';
+import { hasPose, type PoseSequence } from '../pose/sequence.ts';
+import type { StageView as View } from '../stage/camera-rig.ts';
+import type { Stage } from '../stage/stage.ts';
+import { icon } from './icons.ts';
+import { sharedStyles } from './styles.ts';
+import { ThemeController } from './theme.ts';
+
+const VIEWS: readonly { view: View; label: string }[] = [
+  { view: 'angle', label: 'Angle' },
+  { view: 'front', label: 'Front' },
+  { view: 'side', label: 'Side' },
+  { view: 'top', label: 'Top' },
+];
+const LOST = 'The graphics card dropped the 3D view; it comes back by itself.';
+const NOT_LOADED = 'The 3D view could not be loaded; reload the page to try again.';
+const TURN_DEG = 15;
+const ZOOM = 1.2;
+
+/** The 3D view of the poses, with its camera's buttons and keys. */
+@customElement('dw-stage-view')
+export class StageView extends LitElement {
+  @property({ attribute: false }) sequence: PoseSequence | null = null;
+  @property({ attribute: false }) frame = 0;
+  @state() private view: View | null = 'angle';
+  @state() private trails = true;
+  @state() private message = '';
+  @query('.canvas') private container!: HTMLElement;
+  private stage: Stage | null = null;
+  private readonly themes = new ThemeController(this);
+
+  static override styles = [
+    sharedStyles,
+    css`
+      :host { display: block; position: relative; background: var(--sunken); overflow: hidden; }
+      .canvas { position: absolute; inset: 0; cursor: grab; }
+      .canvas:active { cursor: grabbing; }
+      .canvas:focus-visible { outline-offset: -3px; border-radius: var(--round); }
+      .bar { position: absolute; left: 0.625rem; right: 0.625rem; display: flex; justify-content: space-between; pointer-events: none; }
+      .top { top: 0.625rem; }
+      .bottom { bottom: 0.625rem; align-items: end; }
+      .group { display: flex; gap: 2px; pointer-events: auto; }
+      .group button {
+        min-height: 2.125rem; min-width: 2.125rem; padding: 0 0.5rem; font-size: 0.8125rem; border-color: transparent;
+        background: transparent; color: var(--muted);
+      }
+      .group button:hover { background: var(--hover); color: var(--ink); }
+      .group button[aria-pressed='true'] { color: var(--ink); background: var(--pressed); font-weight: 560; }
+      .hint { font-size: 0.75rem; color: var(--muted); padding: 0 0.375rem 0.375rem; }
+      .message, .nobody { position: absolute; inset: 0; display: grid; place-content: center; padding: 3.5rem 2rem; text-align: center; color: var(--muted); }
+      .message { background: var(--sunken); }
+      .nobody { pointer-events: none; opacity: 0; }
+      .nobody.shown { opacity: 1; transition: opacity 250ms; }
+    `,
+  ];
+
+  override render() {
+    const nobody = this.sequence !== null && !hasPose(this.sequence, this.frame);
+    return html`<div data-testid="stage">
+      <div
+        class="canvas"
+        tabindex="0"
+        role="img"
+        aria-label="The skeleton in 3D. Arrow keys turn it, plus and minus zoom, 0 goes back."
+        @keydown=${this.keyed}
+        @pointerdown=${this.taken}
+      ></div>
+      <p class="nobody ${nobody && !this.message ? 'shown' : ''}" aria-hidden=${!nobody}>Nobody seen in this frame</p>
+      ${this.message ? html`<p class="message" role="status">${this.message}</p>` : this.renderBars()}
+    </div>`;
+  }
+
+  private renderBars() {
+    const button = (label: string, name: Parameters<typeof icon>[0], act: () => void) =>
+      html`<button aria-label=${label} title=${label} @click=${act}>${icon(name)}</button>`;
+    return html`
+      <div class="bar top">
+        <div class="group" role="group" aria-label="View">
+          ${VIEWS.map(
+            ({ view, label }) => html`<button
+              aria-pressed=${this.view === view}
+              @click=${() => this.look(view)}
+            >${label}</button>`,
+          )}
+        </div>
+        <div class="group">
+          <button
+            aria-pressed=${this.trails}
+            title="Paths of wrists and ankles: large dots were watched, small ones recovered"
+            @click=${this.toggleTrails}
+          >Trails</button>
+        </div>
+      </div>
+      <div class="bar bottom">
+        <span class="hint">${this.sequence ? 'Grid: 1 m' : nothing}</span>
+        <div class="group" role="group" aria-label="Camera">
+          ${button('Turn left', 'left', () => this.turn(-TURN_DEG, 0))}
+          ${button('Turn right', 'right', () => this.turn(TURN_DEG, 0))}
+          ${button('Zoom out', 'minus', () => this.zoom(1 / ZOOM))}
+          ${button('Zoom in', 'plus', () => this.zoom(ZOOM))}
+        </div>
+      </div>
+    `;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    void this.start();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.stage?.dispose();
+    this.stage = null;
+  }
+
+  protected override updated(changes: PropertyValues<this>): void {
+    if (!this.stage) return;
+    if (this.themes.theme !== this.shownTheme) {
+      this.shownTheme = this.themes.theme;
+      this.stage.setTheme(this.shownTheme);
+    }
+    if (changes.has('sequence')) this.stage.setSequence(this.sequence);
+    if (changes.has('sequence') || changes.has('frame')) this.stage.showFrame(this.frame);
+  }
+
+  private shownTheme = this.themes.theme;
+
+  /** three.js is most of the page's code: it is fetched while the models are. */
+  private async start(): Promise<void> {
+    try {
+      const { Stage } = await import('../stage/stage.ts');
+      await this.updateComplete;
+      if (!this.isConnected || this.stage) return;
+      this.stage = new Stage(this.container, {
+        theme: this.shownTheme,
+        onContext: (context) => {
+          this.message = context === 'lost' ? LOST : '';
+        },
+      });
+      this.stage.setSequence(this.sequence);
+      this.stage.showFrame(this.frame);
+    } catch (error) {
+      this.message = error instanceof DeciWatchError ? error.message : NOT_LOADED;
+    }
+  }
+
+  private look(view: View): void {
+    this.view = view;
+    this.stage?.view(view);
+  }
+
+  private turn(azimuth: number, elevation: number): void {
+    this.view = null;
+    this.stage?.camera.rotate(azimuth, elevation);
+  }
+
+  private zoom(factor: number): void {
+    this.stage?.camera.zoom(factor);
+  }
+
+  private toggleTrails(): void {
+    this.trails = !this.trails;
+    this.stage?.setTrails(this.trails);
+  }
+
+  private taken(): void {
+    this.view = null;
+  }
+
+  private keyed(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const acts: Readonly<Record<string, () => void>> = {
+      ArrowLeft: () => this.turn(-TURN_DEG, 0),
+      ArrowRight: () => this.turn(TURN_DEG, 0),
+      ArrowUp: () => this.turn(0, TURN_DEG / 2),
+      ArrowDown: () => this.turn(0, -TURN_DEG / 2),
+      '+': () => this.zoom(ZOOM),
+      '=': () => this.zoom(ZOOM),
+      '-': () => this.zoom(1 / ZOOM),
+      '0': () => this.look('angle'),
+    };
+    const act = acts[event.key];
+    if (!act) return;
+    event.preventDefault();
+    act();
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'dw-stage-view': StageView;
+  }
+}
