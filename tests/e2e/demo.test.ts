@@ -133,6 +133,36 @@ describe('the built demo', () => {
     expect((await save(page)).frames.length).toBeGreaterThan(0);
   });
 
+  test('says so when the 3D view is lost, and brings it back', async () => {
+    const { page } = await open();
+    await whenReady(page);
+    const message = page.getByTestId('stage').getByText(/3D view/);
+    const lose = await page
+      .getByTestId('stage')
+      .locator('canvas')
+      .evaluateHandle((canvas: HTMLCanvasElement) =>
+        canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context'),
+      );
+    await lose.evaluate((extension) => extension!.loseContext());
+    await message.waitFor();
+    await lose.evaluate((extension) => extension!.restoreContext());
+    await message.waitFor({ state: 'hidden' });
+  });
+
+  test('a cancelled job leaves the poses and the settings that were there', async () => {
+    const { page } = await open();
+    await whenReady(page);
+    await page.getByTestId('estimator-lite').click();
+    await page.getByTestId('cancel').click();
+    await whenReady(page);
+    expect((await save(page)).estimator.name).toBe('full');
+    await expect
+      .poll(() =>
+        page.getByTestId('estimator-full').evaluate((e) => (e as HTMLInputElement).checked),
+      )
+      .toBe(true);
+  });
+
   test('says which model is missing when it cannot be had', async () => {
     const { page } = await open((fresh) =>
       fresh.route('**/*.task', (route) => route.fulfill({ status: 404, body: 'gone' })),
