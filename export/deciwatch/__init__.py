@@ -1,0 +1,1 @@
+"""DeciWatch's torch half: nets, training, evaluation, ONNX export, FLOPs, data preparation."""

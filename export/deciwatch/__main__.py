@@ -1,0 +1,48 @@
+"""`python -m deciwatch COMMAND`: see COMMANDS. Bad input ends with one sentence and exit code 2."""
+
+import argparse
+import importlib
+import sys
+
+from deciwatch.errors import UserError
+
+# Modules are imported only when their command is asked for: torch alone takes seconds.
+COMMANDS: dict[str, tuple[str, str]] = {
+    "train": ("deciwatch.train", "train a pair of nets on recorded motion"),
+    "export": ("deciwatch.export", "write a pair as ONNX files and a manifest"),
+    "evaluate": ("deciwatch.evaluate", "compare the nets with classical interpolation"),
+    "fixtures": ("deciwatch.fixtures", "write the numbers that the web tests check against"),
+    "bundles": ("deciwatch.bundles", "build MediaPipe's estimator bundles"),
+    "sample": ("deciwatch.sample", "make the bundled sample video"),
+}
+
+
+def usage() -> str:
+    """The list of commands."""
+    lines = [f"  {name:10} {purpose}" for name, (_, purpose) in COMMANDS.items()]
+    return "\n".join(["usage: python -m deciwatch COMMAND [--help]", "", "commands:", *lines])
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run one command; returns its exit code."""
+    arguments = sys.argv[1:] if arguments is None else arguments
+    if not arguments or arguments[0] in ("-h", "--help"):
+        print(usage())
+        return 0 if arguments else 2
+    name, *rest = arguments
+    if name not in COMMANDS:
+        print(f"deciwatch has no command {name!r}; it has {', '.join(COMMANDS)}.", file=sys.stderr)
+        return 2
+    module_name, purpose = COMMANDS[name]
+    module = importlib.import_module(module_name)
+    parser = argparse.ArgumentParser(prog=f"deciwatch {name}", description=purpose)
+    module.add_arguments(parser)
+    try:
+        return module.run(parser.parse_args(rest))
+    except UserError as error:
+        print(error, file=sys.stderr)
+        return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,73 @@
+"""Checkpoints: a pair's weights and configuration, and, while training, all it takes to go on."""
+
+import io
+from pathlib import Path
+from typing import Any
+
+import torch
+
+from deciwatch.atomic import write_bytes
+from deciwatch.errors import UserError
+from deciwatch.nets.pair import Pair, PairConfig
+from deciwatch.paths import CHECKPOINTS
+
+FORMAT = "deciwatch-checkpoint/1"
+
+
+def default_path(dims: int) -> Path:
+    """The committed checkpoint of a representation."""
+    return CHECKPOINTS / f"{dims}d.pt"
+
+
+def save(
+    path: Path, config: PairConfig, weights: dict, training: dict, state: dict | None = None
+) -> None:
+    """Write a checkpoint atomically. `state` is the trainer's own and is left out when sharing."""
+    content = {"format": FORMAT, "config": config.as_dict(), "weights": weights}
+    content |= {"training": training} | ({} if state is None else {"state": state})
+    buffer = io.BytesIO()
+    torch.save(content, buffer)
+    write_bytes(Path(path), buffer.getvalue())
+
+
+def load(path: Path) -> dict[str, Any]:
+    """Read a checkpoint: config (PairConfig), weights, training, perhaps state.
+
+    Raises UserError if it is missing, damaged, or not one of ours. Only tensors and plain values
+    are unpickled, so a foreign file cannot run code.
+    """
+    path = Path(path)
+    if not path.is_file():
+        raise UserError(f"There is no checkpoint at {path}; train one, or name it by --checkpoint.")
+    try:
+        content = torch.load(path, map_location="cpu", weights_only=True)
+        if content["format"] != FORMAT:
+            raise ValueError(f"its format is {content['format']!r}")
+        content["config"] = PairConfig(**content["config"])
+        if not {"weights", "training"} <= content.keys():
+            raise ValueError("parts of it are missing")
+    except Exception as error:
+        reason = " ".join(str(error).split())[:120]
+        raise UserError(
+            f"{path} is not a whole DeciWatch checkpoint ({reason}); train or fetch it again."
+        ) from error
+    return content
+
+
+def load_pair(path: Path, dims: int | None = None) -> tuple[Pair, dict[str, Any]]:
+    """The pair of a checkpoint, in evaluation mode, and the checkpoint.
+
+    Raises UserError also where its weights do not fit its configuration or `dims` is another.
+    """
+    content = load(path)
+    config: PairConfig = content["config"]
+    if dims is not None and config.dims != dims:
+        raise UserError(f"{path} holds a {config.dims}D pair; name a {dims}D one by --checkpoint.")
+    pair = Pair(config)
+    try:
+        pair.load_state_dict(content["weights"])
+    except RuntimeError as error:
+        raise UserError(
+            f"The weights in {path} do not fit its own configuration; train or fetch it again."
+        ) from error
+    return pair.eval(), content

@@ -1,0 +1,1 @@
+"""Training and evaluation data: windows of motion, cameras, estimator noise, batches."""

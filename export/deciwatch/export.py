@@ -1,0 +1,67 @@
+"""`deciwatch export`: write a pair as ONNX files and enter it in the manifest."""
+
+import argparse
+import tempfile
+from pathlib import Path
+
+from deciwatch.paths import MODELS
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Options of the command."""
+    parser.add_argument("--dims", type=int, choices=(2, 3), default=3)
+    parser.add_argument("--checkpoint", metavar="FILE", help="default: the committed one")
+    parser.add_argument(
+        "--keep", action="store_true", help="also make its weights the committed checkpoint"
+    )
+    parser.add_argument("--out", metavar="DIR", default=str(MODELS))
+
+
+def run(args: argparse.Namespace) -> int:
+    """Export, check against torch, write. Nothing is written if the check fails."""
+    from deciwatch import checkpoint, manifest
+    from deciwatch.atomic import write_bytes
+    from deciwatch.errors import UserError
+    from deciwatch.onnx_export import TOLERANCE, convert, largest_difference
+
+    path = Path(args.checkpoint or checkpoint.default_path(args.dims))
+    pair, content = checkpoint.load_pair(path, args.dims)
+    graphs = convert(pair)
+    worst = largest_difference(pair, graphs)
+    if not worst <= TOLERANCE:
+        raise UserError(
+            f"The exported graphs of {path} differ from torch by {worst:.1e}, "
+            f"more than {TOLERANCE:.0e}; nothing was written, look into the export."
+        )
+    # Described before anything is put in place, so that a failure leaves the old nets whole.
+    with tempfile.TemporaryDirectory() as temporary:
+        drafts = Path(temporary)
+        for kind, graph in graphs.items():
+            write_bytes(drafts / manifest.file_name(args.dims, kind), graph)
+        entry = manifest.describe_pair(pair.config, _in_camel_case(content["training"]), drafts)
+    trained = sum(weight.numel() for weight in pair.parameters())
+    counted = entry["denoise"]["parameters"] + entry["recover"]["parameters"]
+    if trained != counted:
+        raise RuntimeError(f"counted {counted} parameters in the graphs, torch has {trained}")
+    folder = Path(args.out)
+    for kind, graph in graphs.items():
+        write_bytes(folder / manifest.file_name(args.dims, kind), graph)
+    manifest.update(folder, entry, content["training"].get("commit"))
+    if args.keep:
+        kept = checkpoint.default_path(args.dims)
+        checkpoint.save(kept, pair.config, content["weights"], content["training"])
+    print(f"{args.dims}D nets in {folder}, within {worst:.1e} of torch")
+    return 0
+
+
+def _in_camel_case(training: dict) -> dict:
+    """The manifest's keys are camelCase, as its readers' are."""
+
+    def camel(key: str) -> str:
+        first, *rest = key.split("_")
+        return first + "".join(part.capitalize() for part in rest)
+
+    return {
+        camel(key): _in_camel_case(value) if isinstance(value, dict) else value
+        for key, value in training.items()
+    }

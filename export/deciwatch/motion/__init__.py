@@ -1,0 +1,1 @@
+"""Recorded human motion: reading it, and deriving the 33 landmarks from it."""

@@ -1,0 +1,1 @@
+"""The two nets, one file each, and what they are built of."""
