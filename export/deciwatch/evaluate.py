@@ -32,7 +32,7 @@ def run(args: argparse.Namespace) -> int:
     from deciwatch.data.batches import INTERVALS, WINDOWS
     from deciwatch.data.noise import NOMINAL, NONE
     from deciwatch.errors import UserError
-    from deciwatch.motion.cmu import load_motions
+    from deciwatch.motion.load import load_motions
     from deciwatch.runner import onnx_nets, torch_nets
 
     for option, value, (low, high) in (

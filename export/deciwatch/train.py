@@ -50,7 +50,7 @@ def run(args: argparse.Namespace) -> int:
     import torch
 
     from deciwatch.data.batches import training_batch
-    from deciwatch.motion.cmu import load_motions
+    from deciwatch.motion.load import load_motions
     from deciwatch.nets.pair import PairConfig
     from deciwatch.trainer import Recipe, Trainer
     from deciwatch.validation import cached_batch, linear_errors, pair_errors

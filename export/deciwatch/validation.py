@@ -10,7 +10,8 @@ from deciwatch.data.batches import Batch, build
 from deciwatch.data.noise import NOMINAL
 from deciwatch.data.windows import slices
 from deciwatch.interpolate import interpolate
-from deciwatch.motion.cmu import Motions, load_motions
+from deciwatch.motion.load import load_motions
+from deciwatch.motion.motions import Motions
 from deciwatch.nets.pair import Pair
 
 INTERVAL, WINDOW, STRIDE, SEED = 10, 10, 20, 7

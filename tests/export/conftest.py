@@ -5,7 +5,7 @@ import pytest
 import torch
 
 from deciwatch.errors import UserError
-from deciwatch.motion.cmu import Motions
+from deciwatch.motion.motions import Motions
 from deciwatch.paths import data_directory
 
 torch.set_num_threads(1)

@@ -4,8 +4,8 @@ import numpy as np
 
 from deciwatch import skeleton
 from deciwatch.data.augment import mirror
-from deciwatch.motion.cmu import load_motions
 from deciwatch.motion.landmarks import JOINTS, SOURCES, landmarks_from_body
+from deciwatch.motion.load import load_motions
 
 RIGID = [("nose", "left_ear"), ("mouth_left", "right_eye_outer"), ("left_wrist", "left_index")]
 RIGID += [("right_pinky", "right_thumb"), ("left_ankle", "left_heel"), ("left_hip", "left_knee")]

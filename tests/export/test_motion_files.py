@@ -147,8 +147,8 @@ def test_resample_between_rates():
 
 
 def test_a_folder_of_raw_files_serves_as_data(data, tmp_path, capsys):
-    from deciwatch.motion.cmu import load_motions
     from deciwatch.motion.folder import split_of
+    from deciwatch.motion.load import load_motions
 
     splits = {}
     for file in (data / "raw").iterdir():

@@ -10,6 +10,7 @@ import {
   ShaderMaterial,
   Vector3,
 } from 'three';
+import { instancesChanged } from './instances.ts';
 
 /** At this height above the ground a joint no longer darkens it. */
 const REACH_M = 1.7;
@@ -74,8 +75,7 @@ export class ContactShadow {
       strength.setScalar(0.01 + 0.07 * near ** 3);
       this.object.setColorAt(joint, strength);
     }
-    this.object.instanceMatrix.needsUpdate = true;
-    if (this.object.instanceColor) this.object.instanceColor.needsUpdate = true;
+    instancesChanged(this.object);
   }
 
   dispose(): void {

@@ -12,6 +12,7 @@ import {
 } from 'three';
 import type { Skeleton } from '../pose/skeleton.ts';
 import { type BodyPlan, bodyPlan } from './body-plan.ts';
+import { instancesChanged } from './instances.ts';
 import type { Palette } from './palette.ts';
 
 /** Scores at and below the first are drawn fully faded, at and above the second fully solid. */
@@ -88,8 +89,7 @@ export class SkeletonMesh {
       this.#head.scale.set(HEAD_RADIUS_M * 0.86, HEAD_RADIUS_M * 1.12, HEAD_RADIUS_M * 0.86);
     }
     for (const mesh of [this.#bones, this.#joints]) {
-      mesh.instanceMatrix.needsUpdate = true;
-      if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
+      instancesChanged(mesh);
     }
   }
 

@@ -9,6 +9,7 @@ import {
 } from 'three';
 import { hasPose, type PoseSequence, poseAt } from '../pose/sequence.ts';
 import type { Skeleton } from '../pose/skeleton.ts';
+import { instancesChanged } from './instances.ts';
 import type { Palette } from './palette.ts';
 
 /** Frames of the past that are shown. */
@@ -66,8 +67,7 @@ export class Trails {
       }
     }
     this.object.count = dots;
-    this.object.instanceMatrix.needsUpdate = true;
-    if (this.object.instanceColor) this.object.instanceColor.needsUpdate = true;
+    instancesChanged(this.object);
   }
 
   dispose(): void {

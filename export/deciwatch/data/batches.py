@@ -8,7 +8,7 @@ from deciwatch.data.augment import augment, draw_speeds
 from deciwatch.data.camera import draw_views
 from deciwatch.data.noise import TRAINING, Noise, add_noise
 from deciwatch.data.windows import choose, resample
-from deciwatch.motion.cmu import Motions
+from deciwatch.motion.motions import Motions
 from deciwatch.normalise import frame_of, to_net
 
 TIME_UNIT = 1.0 / 30.0  # seconds; the nets' times count these

@@ -59,7 +59,7 @@ class Noise:
     outlier: float = 0.150  # metres
     swap_rate: float = 0.015  # of samples: left and right exchanged, of the body, arms or legs
     # Severities are drawn per window and part, log-uniform in this range; (1, 1) is nominal.
-    severity: tuple[float, float] = (0.3, 3.0)
+    severity: tuple[float, float] = (0.1, 3.0)
 
 
 NOMINAL = Noise(severity=(1.0, 1.0))

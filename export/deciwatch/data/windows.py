@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from deciwatch.motion.cmu import Motions
+from deciwatch.motion.motions import Motions
 
 # A window may start anywhere, so long sequences offer more starts. The cap keeps the few very long
 # ones (minutes of climbing) from being most of what is seen.

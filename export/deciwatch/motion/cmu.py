@@ -5,33 +5,13 @@ NSF EIA-0196217. Metres, y up, 30 frames a second, floor at y = 0.
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
 
 from deciwatch.errors import UserError
 from deciwatch.motion.landmarks import JOINTS, landmarks_from_body
-
-FPS = 30.0
-
-
-@dataclass(frozen=True)
-class Motions:
-    """Sequences laid end to end.
-
-    landmarks: [F, 33, 3] metres, world axes, y up, floor at 0. start, length: [n] frames.
-    """
-
-    landmarks: np.ndarray
-    start: np.ndarray
-    length: np.ndarray
-    names: tuple[str, ...]
-    fps: float = FPS
-
-    def sequence(self, index: int) -> np.ndarray:
-        """Landmarks of one sequence, [length, 33, 3]."""
-        return self.landmarks[self.start[index] : self.start[index] + self.length[index]]
+from deciwatch.motion.motions import Motions
 
 
 @dataclass(frozen=True)
@@ -75,16 +55,8 @@ def read_shard(directory: Path, split: str) -> Bodies:
     return bodies
 
 
-@lru_cache(maxsize=4)
-def load_motions(directory: Path, split: str) -> Motions:
-    """The 33 landmarks of every sequence of a split; kept in memory, so treat them as read-only.
-
-    A folder without shards may hold the database's own files instead; see motion/folder.py.
-    """
-    if not any(Path(directory).glob("cmu30_*.npz")):
-        from deciwatch.motion.folder import read_folder
-
-        return read_folder(directory, split)
+def shard_motions(directory: Path, split: str) -> Motions:
+    """The 33 landmarks of every sequence of a split."""
     bodies = read_shard(directory, split)
     landmarks = landmarks_from_body(bodies.joints, bodies.axis_angles)
     landmarks.setflags(write=False)

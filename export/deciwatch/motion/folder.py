@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from deciwatch.errors import UserError
-from deciwatch.motion.cmu import FPS, Motions
+from deciwatch.motion.motions import FPS, Motions
 from deciwatch.motion.raw import landmarks, read_body
 
 SHORTEST = 30  # frames at 30 a second
