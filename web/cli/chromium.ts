@@ -5,6 +5,7 @@ const INSTALLED_NAMES = ['google-chrome', 'google-chrome-stable', 'chromium', 'c
 const INSTALLED_PATHS = [
   '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome',
   '/Applications/Chromium.app/Contents/MacOS/Chromium',
+  'C:\\Program Files\\Google\\Chrome\\Application\\chrome.exe',
 ];
 
 /** Quiet, deterministic, and able to run as root in a container; web security stays on. */
@@ -36,6 +37,11 @@ export async function findChromium(): Promise<string> {
   ];
   const installed = candidates.find((path) => existsSync(path));
   if (installed) return installed;
+  if (process.platform !== 'linux' || process.arch !== 'x64') {
+    throw new Error(
+      'No Chrome or Chromium was found: install one, or name it in the environment variable CHROMIUM.',
+    );
+  }
   // Its own launch arguments switch web security off, so only the path is taken from it.
   const { default: bundled } = await import('@sparticuz/chromium');
   return bundled.executablePath();
