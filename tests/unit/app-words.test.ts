@@ -10,7 +10,6 @@ import {
 } from '../../web/app/format.ts';
 import { pageState } from '../../web/app/page-state.ts';
 import { NOT_STARTED } from '../../web/app/progress-words.ts';
-import { poseFileName } from '../../web/app/save-poses.ts';
 import type { CostReport } from '../../web/cost/report.ts';
 
 const plain = (text: string) => text.replaceAll('\u00a0', ' ');
@@ -66,12 +65,6 @@ describe('figures in words', () => {
     const { measuredTotal, everyFrameTotal } = compareMs(cost);
     expect(measuredTotal).toBeCloseTo(8.5, 9);
     expect(everyFrameTotal).toBe(52);
-  });
-
-  test('a pose file is named after its clip', () => {
-    expect(poseFileName('walk.mp4')).toBe('walk.poses.json');
-    expect(poseFileName('my.best.take.mov')).toBe('my.best.take.poses.json');
-    expect(poseFileName('clip')).toBe('clip.poses.json');
   });
 });
 

@@ -5,6 +5,7 @@ import { DeciWatchError } from '../../web/errors.ts';
 import {
   type PoseFile,
   parsePoseFile,
+  poseFileName,
   posesFromFile,
   stringifyPoseFile,
   toPoseFile,
@@ -36,6 +37,12 @@ function refusal(json: unknown): string {
 }
 
 describe('a written file', () => {
+  it('is named after its clip', () => {
+    expect(poseFileName('walk.mp4')).toBe('walk.poses.json');
+    expect(poseFileName('my.best.take.mov')).toBe('my.best.take.poses.json');
+    expect(poseFileName('clip')).toBe('clip.poses.json');
+  });
+
   const clip = recoveredClip(23, [0, 7, 8]);
   const file = toPoseFile(clip);
   const text = stringifyPoseFile(file);

@@ -1,10 +1,5 @@
 import type { RecoveredClip } from '../engine/types.ts';
-import { stringifyPoseFile, toPoseFile } from '../formats/pose-file.ts';
-
-/** The name of a clip's pose file: `walk.mp4` becomes `walk.poses.json`. */
-export function poseFileName(clipName: string): string {
-  return `${clipName.replace(/\.[^.]+$/, '') || 'clip'}.poses.json`;
-}
+import { poseFileName, stringifyPoseFile, toPoseFile } from '../formats/pose-file.ts';
 
 /** Hands the pose file of a clip to the browser's downloads. */
 export function savePoses(clip: RecoveredClip): void {

@@ -1,9 +1,10 @@
 import { css, html, LitElement, nothing } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
 import { ESTIMATOR_NAMES, type EstimatorName } from '../estimators/names.ts';
+import { MAX_INTERVAL, MIN_INTERVAL } from '../sampling/watched.ts';
 import { ESTIMATOR_WORDS, fetchEstimatorFigures } from './estimator-words.ts';
 import { formatFlops, formatMegabytes, formatOrdinal } from './format.ts';
-import { MAX_EVERY, MIN_EVERY, type Settings } from './settings.ts';
+import type { Settings } from './settings.ts';
 import { sharedStyles } from './styles.ts';
 
 type Figures = Awaited<ReturnType<typeof fetchEstimatorFigures>>;
@@ -63,15 +64,15 @@ export class SettingsPanel extends LitElement {
           id="every"
           data-testid="every"
           type="range"
-          min=${MIN_EVERY}
-          max=${MAX_EVERY}
+          min=${MIN_INTERVAL}
+          max=${MAX_INTERVAL}
           step="1"
           aria-labelledby="every-label"
           aria-valuetext="one frame in ${every}"
           .value=${String(every)}
           @input=${this.setEvery}
         />
-        <div class="ends" aria-hidden="true"><span>every frame</span><span>one in ${MAX_EVERY}</span></div>
+        <div class="ends" aria-hidden="true"><span>every frame</span><span>one in ${MAX_INTERVAL}</span></div>
         <p class="note">
           ${
             every === 1

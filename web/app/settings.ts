@@ -1,4 +1,5 @@
 import { DEFAULT_ESTIMATOR, type EstimatorName } from '../estimators/names.ts';
+import { DEFAULT_INTERVAL, MAX_INTERVAL, MIN_INTERVAL } from '../sampling/watched.ts';
 
 /** What a person chooses on the page. */
 export interface Settings {
@@ -7,13 +8,10 @@ export interface Settings {
   readonly estimator: EstimatorName;
 }
 
-export const MIN_EVERY = 1;
-export const MAX_EVERY = 20;
-
-export const DEFAULT_SETTINGS: Settings = { every: 10, estimator: DEFAULT_ESTIMATOR };
+export const DEFAULT_SETTINGS: Settings = { every: DEFAULT_INTERVAL, estimator: DEFAULT_ESTIMATOR };
 
 /** N moved by a step and kept in range. */
 export function stepEvery(settings: Settings, by: number): Settings {
-  const every = Math.min(MAX_EVERY, Math.max(MIN_EVERY, settings.every + by));
+  const every = Math.min(MAX_INTERVAL, Math.max(MIN_INTERVAL, settings.every + by));
   return { ...settings, every };
 }

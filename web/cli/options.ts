@@ -1,15 +1,18 @@
 import { ESTIMATOR_NAMES, type EstimatorName } from '../estimators/names.ts';
+import { MAX_INTERVAL, MIN_INTERVAL } from '../sampling/watched.ts';
 
 /** A command line that cannot be followed; the message is one sentence for people. */
 export class UsageError extends Error {
   override readonly name = 'UsageError';
 }
 
-/** N from the command line: a whole number from 1 to 20. */
+/** N from the command line: a whole number within the nets' range. */
 export function parseEvery(text: string): number {
   const every = Number(text);
-  if (!Number.isInteger(every) || every < 1 || every > 20) {
-    throw new UsageError(`--every wants a whole number from 1 to 20, not "${text}".`);
+  if (!Number.isInteger(every) || every < MIN_INTERVAL || every > MAX_INTERVAL) {
+    throw new UsageError(
+      `--every wants a whole number from ${MIN_INTERVAL} to ${MAX_INTERVAL}, not "${text}".`,
+    );
   }
   return every;
 }

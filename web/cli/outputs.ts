@@ -1,11 +1,7 @@
 import { mkdir, rename, rm, stat, writeFile } from 'node:fs/promises';
-import { basename, dirname, extname, join, resolve } from 'node:path';
+import { basename, dirname, join, resolve } from 'node:path';
+import { poseFileName } from '../formats/pose-file.ts';
 import { UsageError } from './options.ts';
-
-/** A clip's pose file is named after the clip: `walk.mp4` gives `walk.poses.json`. */
-function poseFileName(clip: string): string {
-  return `${basename(clip, extname(clip))}.poses.json`;
-}
 
 async function isDirectory(path: string): Promise<boolean> {
   return stat(path).then(
@@ -27,7 +23,7 @@ export async function outputPaths(clips: readonly string[], out?: string): Promi
     );
   }
   const paths = clips.map((clip) =>
-    out && namesFile ? resolve(out) : resolve(out ?? '.', poseFileName(clip)),
+    out && namesFile ? resolve(out) : resolve(out ?? '.', poseFileName(basename(clip))),
   );
   const twice = paths.find((path, index) => paths.indexOf(path) !== index);
   if (twice) throw new UsageError(`Two clips would both be written to ${twice}: rename one.`);

@@ -11,6 +11,7 @@ import { basename, relative } from 'node:path';
 import { parseArgs } from 'node:util';
 import { DEFAULT_ESTIMATOR, type EstimatorName } from '../estimators/names.ts';
 import { parsePoseFile } from '../formats/pose-file.ts';
+import { DEFAULT_INTERVAL, MAX_INTERVAL, MIN_INTERVAL } from '../sampling/watched.ts';
 import { HeadlessEngine } from './headless-engine.ts';
 import { parseEstimator, parseEvery, UsageError } from './options.ts';
 import { outputPaths, writeWhole } from './outputs.ts';
@@ -18,7 +19,7 @@ import { ProgressLine } from './progress-line.ts';
 
 const USAGE = `usage: npm run recover -- CLIP… [--every N] [--estimator lite|full|heavy] [--out FILE|DIR]
 
-  --every N       the estimator watches one frame in N, 1 to 20 (default 10)
+  --every N       the estimator watches one frame in N, ${MIN_INTERVAL} to ${MAX_INTERVAL} (default ${DEFAULT_INTERVAL})
   --estimator E   lite, full or heavy (default ${DEFAULT_ESTIMATOR})
   --out PATH      a .json file (one clip) or a folder (default: the current folder)`;
 
@@ -52,7 +53,7 @@ function parse(args: string[]) {
     args,
     allowPositionals: true,
     options: {
-      every: { type: 'string', default: '10' },
+      every: { type: 'string', default: String(DEFAULT_INTERVAL) },
       estimator: { type: 'string', default: DEFAULT_ESTIMATOR },
       out: { type: 'string' },
       help: { type: 'boolean', short: 'h', default: false },

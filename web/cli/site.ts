@@ -1,4 +1,5 @@
-import { mkdtemp, rm } from 'node:fs/promises';
+import { rmSync } from 'node:fs';
+import { mkdtemp } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { build, preview } from 'vite';
@@ -18,7 +19,9 @@ export interface Site {
  */
 export async function buildAndServe(page: string): Promise<Site> {
   const outDir = await mkdtemp(join(tmpdir(), 'deciwatch-site-'));
-  const remove = () => rm(outDir, { recursive: true, force: true });
+  const remove = () => rmSync(outDir, { recursive: true, force: true });
+  // Interrupted, a command ends without closing what it opened.
+  process.once('exit', remove);
   try {
     await build({
       root: PROJECT_ROOT,
@@ -37,11 +40,12 @@ export async function buildAndServe(page: string): Promise<Site> {
       url,
       async close() {
         await server.close();
-        await remove();
+        remove();
+        process.off('exit', remove);
       },
     };
   } catch (error) {
-    await remove();
+    remove();
     throw error;
   }
 }

@@ -1,4 +1,5 @@
 /** The pose file, `deciwatch-poses/1`: see `docs/pose-file.md`. */
+export { poseFileName } from './pose-file-name.ts';
 export { parsePoseFile } from './pose-file-reader.ts';
 export {
   POSE_FILE_FORMAT,
