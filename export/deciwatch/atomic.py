@@ -1,8 +1,11 @@
 """Files that are either the old or the new one, never half of it."""
 
+import io
 import os
 import tempfile
 from pathlib import Path
+
+import numpy as np
 
 
 def write_bytes(path: Path, content: bytes) -> None:
@@ -24,3 +27,10 @@ def write_bytes(path: Path, content: bytes) -> None:
 def write_text(path: Path, content: str) -> None:
     """Write UTF-8 text atomically."""
     write_bytes(path, content.encode())
+
+
+def write_npz(path: Path, arrays: dict) -> None:
+    """Write named arrays as an .npz, whole or not at all."""
+    buffer = io.BytesIO()
+    np.savez(buffer, **arrays)
+    write_bytes(path, buffer.getvalue())

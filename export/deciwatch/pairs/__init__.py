@@ -1,0 +1,1 @@
+"""Pairs of a real estimator's poses and the truth, from rendered avatars."""
