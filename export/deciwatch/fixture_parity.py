@@ -6,9 +6,9 @@ import numpy as np
 import torch
 
 from deciwatch import checkpoint, manifest
-from deciwatch.data.noise import NOMINAL, add_noise
 from deciwatch.flops import GraphCounter
-from deciwatch.normalise import frame_of, to_net
+from deciwatch.nets.pair import Pair
+from deciwatch.normalise import Samples, sampled_values
 from deciwatch.skeleton import INDEX, KEYPOINTS, LANDMARKS, mid_hip
 
 # N, Q, and which samples are missing; the last is on uneven times, and holds times of no sample.
@@ -49,38 +49,49 @@ def standing_person(seconds: np.ndarray) -> np.ndarray:
     return poses - mid_hip(poses)
 
 
-def parity_cases(path: Path, dims: int, seed: int) -> dict:
-    """Inputs and torch's outputs for CASES, in net values and time units, as flat arrays."""
-    pair, _ = checkpoint.load_pair(path, dims)
-    cases = [
-        _parity_case(pair, dims, np.random.default_rng(seed + i), case)
-        for i, case in enumerate(CASES)
-    ]
-    return {"dims": dims, "keypoints": KEYPOINTS, "width": pair.config.width, "cases": cases}
+def estimates(case: dict, rng: np.random.Generator) -> tuple[Samples, np.ndarray, np.ndarray]:
+    """The samples of one of CASES, and when: of the S samples [S] and the T frames [T], time units.
 
-
-@torch.no_grad()
-def _parity_case(pair, dims: int, rng: np.random.Generator, case: dict) -> dict:
+    Every array has float32 precision. The person drifts through a picture of 1280 x 720.
+    """
     frames = case["interval"] * case["intervals"] + 1
     times = np.arange(frames, dtype=np.float64)
     if case.get("uneven"):
         times = np.concatenate([[0.0], np.cumsum(rng.uniform(0.5, 1.9, size=frames - 1))])
     numbers = range(case["intervals"] + 1)
     watched = [i * case["interval"] for i in numbers if i not in case["missing"]]
-    poses = standing_person(times / 30)[None]
-    if dims == 2:
-        poses = np.array([640.0, 360.0]) + np.array([300.0, -300.0]) * poses[..., :2]
-        poses = poses + 2.0 * times[None, :, None, None]
-    estimate = add_noise(rng, poses[:, watched], times[None, watched] / 30, NOMINAL)
-    sampled = torch.from_numpy(to_net(estimate, *frame_of(estimate)))
-    sample_times = torch.from_numpy(times[None, watched].astype(np.float32))
-    frame_times = torch.from_numpy(times[None].astype(np.float32))
+    metres = standing_person(times[watched] / 30)
+    pixels = np.array([640.0, 360.0]) + np.array([300.0, -300.0]) * metres[..., :2]
+    pixels += 2.0 * times[watched, None, None]
+    samples = Samples(
+        poses_3d=(metres + rng.normal(0, 0.04, size=metres.shape)).astype(np.float32),
+        poses_2d=(pixels + rng.normal(0, 6.0, size=pixels.shape)).astype(np.float32),
+        scores=rng.uniform(0.2, 1.0, size=metres.shape[:2]).astype(np.float32),
+    )
+    return samples, times[watched].astype(np.float32), times.astype(np.float32)
+
+
+def parity_cases(path: Path, dims: int, seed: int) -> dict:
+    """Inputs and torch's outputs for CASES, in net values and time units, as flat arrays."""
+    pair, _ = checkpoint.load_pair(path, dims)
+    cases = [
+        _parity_case(pair, np.random.default_rng(seed + i), case) for i, case in enumerate(CASES)
+    ]
+    return {"dims": dims, "keypoints": KEYPOINTS, "width": pair.config.width, "cases": cases}
+
+
+@torch.no_grad()
+def _parity_case(pair: Pair, rng: np.random.Generator, case: dict) -> dict:
+    samples, *times = estimates(case, rng)
+    sampled = torch.from_numpy(sampled_values(samples, pair.config.inputs))[None]
+    sample_times, frame_times = (torch.from_numpy(at)[None] for at in times)
     clean, features = pair.denoise(sampled, sample_times)
     recovered = pair.recover(clean, features, sample_times, frame_times)
     arrays = {"sampled": sampled, "sampleTimes": sample_times, "frameTimes": frame_times}
     arrays |= {"clean": clean, "features": features, "poses": recovered}
     shapes = {name: list(array.shape) for name, array in arrays.items()}
-    return {"name": case["name"], "samples": len(watched), "frames": frames, "shapes": shapes} | {
+    sizes = {"samples": sampled.shape[1], "frames": frame_times.shape[1]}
+    return {"name": case["name"], **sizes, "shapes": shapes} | {
         name: flat(array.numpy()) for name, array in arrays.items()
     }
 

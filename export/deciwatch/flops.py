@@ -90,7 +90,17 @@ class GraphCounter:
             if node.op_type in WEIGHTED
             for name in node.input
         }
-        return sum(math.prod(dims) for name, dims in self.fixed.items() if name in used and dims)
+        return sum(
+            math.prod(weight.dims)
+            for weight in self.model.graph.initializer
+            if weight.name in used and weight.dims and not _picks(weight)
+        )
+
+
+def _picks(weight: onnx.TensorProto) -> bool:
+    """Whether a matrix adds and subtracts chosen keypoints (nets/facing.py): nobody trained it."""
+    values = onnx.numpy_helper.to_array(weight)
+    return values.ndim == 2 and values.any() and bool(np.isin(values, (-1, 0, 1)).all())
 
 
 def _macs(node: onnx.NodeProto, shapes: dict[str, tuple[int, ...]]) -> int:

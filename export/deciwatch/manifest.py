@@ -12,8 +12,9 @@ from deciwatch.flops import GraphCounter
 from deciwatch.nets.pair import PairConfig
 from deciwatch.normalise import SCALE_3D
 
-FORMAT = "deciwatch-models/1"
+FORMAT = "deciwatch-models/2"
 KINDS = ("denoise", "recover")
+NORMALISATION = {"3d": {"kind": "scale", "scale": SCALE_3D}, "2d": {"kind": "window-box"}}
 
 
 def file_name(dims: int, kind: str) -> str:
@@ -35,10 +36,8 @@ def describe_net(path: Path) -> dict:
 
 def describe_pair(config: PairConfig, training: dict, folder: Path) -> dict:
     """The entry of a pair whose files lie in `folder`."""
-    normalisation = {"kind": "window-box"}
-    if config.dims == 3:
-        normalisation = {"kind": "scale", "scale": SCALE_3D}
     nets = {kind: describe_net(folder / file_name(config.dims, kind)) for kind in KINDS}
+    nets["recover"]["tokens"] = config.recover
     return {
         "dims": config.dims,
         "skeleton": skeleton.NAME,
@@ -48,7 +47,10 @@ def describe_pair(config: PairConfig, training: dict, folder: Path) -> dict:
         "interval": list(INTERVALS),
         "intervals": list(WINDOWS),
         "timeUnit": TIME_UNIT,
-        "normalisation": normalisation,
+        "inputs": list(config.inputs),
+        "normalisation": {
+            name: NORMALISATION[name] for name in config.inputs if name in NORMALISATION
+        },
         **nets,
         "training": training,
     }
@@ -60,12 +62,12 @@ def read(folder: Path) -> dict:
     try:
         manifest = json.loads(path.read_text())
         if manifest["format"] != FORMAT or not isinstance(manifest["pairs"], dict):
-            raise ValueError("it has another format")
+            raise ValueError(f"its format is {manifest['format']!r}, not {FORMAT!r}")
     except FileNotFoundError:
         raise UserError(f"There is no manifest at {path}; run `deciwatch export` first.") from None
     except (ValueError, KeyError, TypeError) as error:
         raise UserError(
-            f"{path} is not a models manifest ({error}); export the nets anew."
+            f"{path} is no models manifest of this version ({error}); delete it and export anew."
         ) from None
     return manifest
 

@@ -25,7 +25,7 @@ NAMES = {
 
 
 def example(pair: Pair, samples: int, frames: int, seed: int, even: bool = True) -> tuple:
-    """Random sampled [1, S, K·D], sample_times [1, S], frame_times [1, T] for a check."""
+    """Random sampled [1, S, I], sample_times [1, S], frame_times [1, T] for a check."""
     rng = np.random.default_rng(seed)
     times = np.arange(frames, dtype=np.float32)
     if not even:
@@ -34,7 +34,7 @@ def example(pair: Pair, samples: int, frames: int, seed: int, even: bool = True)
     if not even and frames > samples > 2:
         inner = rng.choice(np.arange(1, frames - 1), size=samples - 2, replace=False)
         picked = np.sort(np.concatenate([[0, frames - 1], inner]))
-    sampled = 0.5 * rng.standard_normal((1, samples, pair.config.values))
+    sampled = 0.5 * rng.standard_normal((1, samples, pair.config.channels))
     times -= times[0]
     arrays = sampled.astype(np.float32), times[None, picked], times[None]
     return tuple(torch.from_numpy(np.ascontiguousarray(array)) for array in arrays)

@@ -1,7 +1,9 @@
 import { beforeAll, describe, expect, test } from 'vitest';
 import { fetchListed } from '../../web/download.ts';
 import { fetchModelManifest, type ModelManifest } from '../../web/recovery/manifest.ts';
+import { fetchPair, NetPair } from '../../web/recovery/net-pair.ts';
 import { Net } from '../../web/recovery/runtime.ts';
+import inputs from '../fixtures/inputs.json';
 import parity2d from '../fixtures/parity-2d.json';
 import parity3d from '../fixtures/parity-3d.json';
 
@@ -63,5 +65,35 @@ describe.each([
     const inputs = { sampled: given(one, 'sampled'), sample_times: given(one, 'sampleTimes') };
     const [first, second] = await Promise.all([denoise.run(inputs), denoise.run(inputs)]);
     expect(second!.clean!.data).toEqual(first!.clean!.data);
+  });
+});
+
+describe.each(['3d', '2d'] as const)('from estimates to %s poses with every input', (name) => {
+  let pair: NetPair;
+  beforeAll(async () => {
+    const url = new URL('../fixtures/models/manifest.json', import.meta.url);
+    const entry = (await fetchModelManifest(url)).pairs[name];
+    expect([...entry.inputs].sort()).toEqual(['2d', '3d', 'scores']);
+    pair = await NetPair.create(entry, await fetchPair(url, entry));
+    return () => pair.dispose();
+  });
+
+  test.each(inputs.cases)('$name', async (one) => {
+    const part = (values: readonly number[], s: number) => {
+      const size = values.length / one.sampleTimes.length;
+      return Float32Array.from(values.slice(s * size, (s + 1) * size));
+    };
+    const { poses } = await pair.run({
+      samples: one.sampleTimes.map((_, s) => ({
+        keypoints2d: part(one.keypoints2d, s),
+        keypoints3d: part(one.keypoints3d, s),
+        scores: part(one.scores, s),
+      })),
+      sampleTimes: Float64Array.from(one.sampleTimes),
+      frameTimes: Float64Array.from(one.frameTimes),
+    });
+    // The person is about 500 px high, which is the 1 of the 2D nets.
+    const [expected, unit] = name === '3d' ? [one.poses3d, 0.5] : [one.poses2d, 500];
+    expect(greatestDifference(poses, expected)).toBeLessThan(unit * TOLERANCE);
   });
 });

@@ -1,7 +1,9 @@
-import { expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
+import { splitSegments } from '../../web/sampling/segments.ts';
 import { Stitcher } from '../../web/sampling/stitcher.ts';
 import { watchedFrames } from '../../web/sampling/watched.ts';
 import { cutWindows } from '../../web/sampling/windows.ts';
+import { readFixture } from './fixture.ts';
 import { seededRandom } from './random.ts';
 
 const SIZE = 3;
@@ -57,4 +59,44 @@ it('refuses poses that do not fit their window', () => {
   const window = { samples: [0, 1], firstFrame: 1, lastFrame: 3 };
   expect(() => stitcher.add(window, new Float32Array(5))).toThrow(RangeError);
   expect(() => stitcher.add({ ...window, lastFrame: 4 }, new Float32Array(8))).toThrow(RangeError);
+});
+
+/** A clip as `export/deciwatch/sampling/` cuts and stitches it. */
+interface Case {
+  readonly every: number;
+  readonly times: number[];
+  readonly watched: number[];
+  readonly seen: number[];
+  readonly segments: [start: number, end: number][];
+  /** First sample, samples, first frame, last frame. */
+  readonly windows: [number, number, number, number][];
+  /** T·2 values; null in frames that no window covers. */
+  readonly stitched: (number | null)[];
+}
+
+describe('as in Python, with which the nets are evaluated', () => {
+  const { cases } = readFixture<{ cases: Case[] }>('stitching.json');
+
+  it.each(cases)('$watched.length samples, N = $every', (expected) => {
+    const { every, seen } = expected;
+    const times = Float64Array.from(expected.times);
+    expect([...watchedFrames(times.length, every)]).toEqual(expected.watched);
+    expect(splitSegments(seen, times, every)).toEqual(expected.segments);
+    const windows = cutWindows(seen, times, every);
+    expect(windows.map((w) => [w.samples[0], w.samples.length, w.firstFrame, w.lastFrame])).toEqual(
+      expected.windows,
+    );
+
+    const stitcher = new Stitcher(times.length, 2);
+    windows.forEach((window, w) => {
+      const frames = window.lastFrame - window.firstFrame + 1;
+      const poses = Array.from({ length: frames }, (_, t) => [w, window.firstFrame + t + w / 2]);
+      stitcher.add(window, Float32Array.from(poses.flat()));
+    });
+    stitcher.finish().forEach((value, i) => {
+      const wanted = expected.stitched[i];
+      if (wanted === null) expect(value).toBeNaN();
+      else expect(value, `value ${i}`).toBeCloseTo(wanted!, 3);
+    });
+  });
 });

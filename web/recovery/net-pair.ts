@@ -1,14 +1,15 @@
 import { fetchListed } from '../download.ts';
-import { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
+import type { PoseEstimate } from '../estimators/estimator.ts';
 import type { Dimensions } from '../pose/sequence.ts';
 import type { PairEntry } from './manifest.ts';
-import { fromNet, toNet, windowFrame } from './normalise.ts';
+import { fromNet } from './normalise.ts';
 import { type Matrix, Net } from './runtime.ts';
+import { buildSampled } from './sampled.ts';
 
 /** The S samples of one window, and the T frames to recover from them. */
 export interface WindowInput {
-  /** S·K·D: pixels, or metres relative to the mid-hip. */
-  readonly sampled: Float32Array;
+  /** S estimates; the pair takes of them what its entry names. */
+  readonly samples: readonly PoseEstimate[];
   /** S seconds, increasing. */
   readonly sampleTimes: Float64Array;
   /** T seconds, increasing, from the first sample's to the last one's. */
@@ -17,7 +18,7 @@ export interface WindowInput {
 
 /** What one window gave, and how long each net took. */
 export interface WindowOutput {
-  /** T·K·D, in the units that came in. */
+  /** T·K·D: pixels, or metres relative to the mid-hip. */
   readonly poses: Float32Array;
   readonly denoiseMs: number;
   readonly recoverMs: number;
@@ -67,21 +68,15 @@ export class NetPair {
   }
 
   /** Recovers one window: cleans its samples, then finds all of its frames. */
-  async run({ sampled, sampleTimes, frameTimes }: WindowInput): Promise<WindowOutput> {
-    const { normalisation, timeUnit } = this.entry;
-    const keypoints = BLAZEPOSE_33.joints.length;
-    const size = keypoints * this.dims;
-    const frame = windowFrame(normalisation, sampled, keypoints, this.dims);
+  async run({ samples, sampleTimes, frameTimes }: WindowInput): Promise<WindowOutput> {
+    const { sampled, frame } = buildSampled(this.entry, samples);
     const inUnits = (times: Float64Array): Matrix => ({
-      data: Float32Array.from(times, (time) => (time - sampleTimes[0]!) / timeUnit),
+      data: Float32Array.from(times, (time) => (time - sampleTimes[0]!) / this.entry.timeUnit),
       dims: [1, times.length],
     });
     const sample_times = inUnits(sampleTimes);
     const start = performance.now();
-    const { clean, features } = await this.denoise.run({
-      sampled: { data: toNet(sampled, frame), dims: [1, sampleTimes.length, size] },
-      sample_times,
-    });
+    const { clean, features } = await this.denoise.run({ sampled, sample_times });
     const middle = performance.now();
     const { poses } = await this.recover.run({
       clean: clean!,

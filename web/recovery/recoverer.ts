@@ -20,6 +20,15 @@ export interface PairRun {
   readonly recoverMs: number;
 }
 
+const KEYPOINTS = BLAZEPOSE_33.joints.length;
+
+/** For the first run of a net, whose result nobody looks at. */
+const NOBODY: PoseEstimate = {
+  keypoints2d: new Float32Array(KEYPOINTS * 2),
+  keypoints3d: new Float32Array(KEYPOINTS * 3),
+  scores: new Float32Array(KEYPOINTS),
+};
+
 /** A pose for every frame, from the poses of the watched ones, in 2D and in 3D. */
 export class Recoverer {
   private constructor(
@@ -40,10 +49,10 @@ export class Recoverer {
     ]);
     const pair2d = await NetPair.create(pairs['2d'], files2d);
     const pair3d = await NetPair.create(pairs['3d'], files3d);
+    const times = Float64Array.of(0, 1 / 3);
+    const samples = [NOBODY, NOBODY];
     for (const pair of [pair2d, pair3d]) {
-      const times = Float64Array.of(0, 1 / 3);
-      const sampled = new Float32Array(2 * BLAZEPOSE_33.joints.length * pair.dims);
-      await pair.run({ sampled, sampleTimes: times, frameTimes: times });
+      await pair.run({ samples, sampleTimes: times, frameTimes: times });
     }
     return new Recoverer(pair2d, pair3d);
   }
@@ -62,8 +71,8 @@ export class Recoverer {
     let done = 0;
     const report = (run: PairRun) => onRun(run, ++done, total);
 
-    const values2d = await recoverAll(this.pair2d, clip, windows, (e) => e.keypoints2d, report);
-    const values3d = await recoverAll(this.pair3d, clip, windows, (e) => e.keypoints3d, report);
+    const values2d = await recoverAll(this.pair2d, clip, windows, report);
+    const values3d = await recoverAll(this.pair3d, clip, windows, report);
     // The nets move the hips by millimetres; 3D poses are relative to the mid-hip, exactly.
     centreOnRoot(values3d, BLAZEPOSE_33);
 
@@ -90,20 +99,14 @@ async function recoverAll(
   pair: NetPair,
   { times, seen }: WatchedClip,
   windows: readonly SampleWindow[],
-  keypoints: (estimate: PoseEstimate) => Float32Array,
   report: (run: PairRun) => void | Promise<void>,
 ): Promise<Float32Array> {
-  const size = BLAZEPOSE_33.joints.length * pair.dims;
-  const stitcher = new Stitcher(times.length, size);
+  const stitcher = new Stitcher(times.length, KEYPOINTS * pair.dims);
   for (const window of windows) {
     const samples = window.samples.map((position) => seen[position]!);
-    const sampled = new Float32Array(samples.length * size);
-    samples.forEach(({ estimate }, s) => {
-      sampled.set(keypoints(estimate), s * size);
-    });
     const frameTimes = times.subarray(window.firstFrame, window.lastFrame + 1);
     const { poses, denoiseMs, recoverMs } = await pair.run({
-      sampled,
+      samples: samples.map(({ estimate }) => estimate),
       sampleTimes: Float64Array.from(samples, ({ frame }) => times[frame]!),
       frameTimes,
     });

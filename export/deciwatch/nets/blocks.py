@@ -10,9 +10,20 @@ import torch
 from torch import Tensor, nn
 
 HEADS = 4
-FEED_FORWARD = 256
+HEAD_DEPTH = 32
+MOST_FEED_FORWARD = 512
 DROPOUT = 0.1
 LONGEST_PERIOD = 1000.0
+
+
+def head_count(width: int) -> int:
+    """Attention heads: four, and more of HEAD_DEPTH where C is larger than they fill."""
+    return max(HEADS, width // HEAD_DEPTH if width % HEAD_DEPTH == 0 else 0)
+
+
+def feed_forward_width(width: int) -> int:
+    """Hidden width of a feed-forward layer unless the configuration names one: 4 C, at most 512."""
+    return min(4 * width, MOST_FEED_FORWARD)
 
 
 def positions(times: Tensor, width: int) -> Tensor:
@@ -33,9 +44,10 @@ class Attention(nn.Module):
 
     def __init__(self, width: int, dropout: float) -> None:
         super().__init__()
-        if width % HEADS:
-            raise ValueError(f"width {width} is not a multiple of {HEADS} heads")
-        self.depth = width // HEADS
+        self.heads = head_count(width)
+        if width % self.heads:
+            raise ValueError(f"width {width} is not a multiple of {self.heads} heads")
+        self.depth = width // self.heads
         self.query = nn.Linear(width, width)
         self.key = nn.Linear(width, width)
         self.value = nn.Linear(width, width)
@@ -43,7 +55,7 @@ class Attention(nn.Module):
         self.dropout = nn.Dropout(dropout)
 
     def _split(self, values: Tensor) -> Tensor:
-        return values.unflatten(-1, (HEADS, self.depth)).transpose(1, 2)
+        return values.unflatten(-1, (self.heads, self.depth)).transpose(1, 2)
 
     def forward(self, queries: Tensor, memory: Tensor) -> Tensor:
         query = self._split(self.query(queries)) * self.depth**-0.5
@@ -56,23 +68,24 @@ class Attention(nn.Module):
 class FeedForward(nn.Sequential):
     """Two linear layers with a leaky ReLU between: [..., C] → [..., C]."""
 
-    def __init__(self, width: int, dropout: float) -> None:
+    def __init__(self, width: int, dropout: float, hidden: int | None = None) -> None:
+        hidden = hidden or feed_forward_width(width)
         super().__init__(
-            nn.Linear(width, FEED_FORWARD),
+            nn.Linear(width, hidden),
             nn.LeakyReLU(0.1),
             nn.Dropout(dropout),
-            nn.Linear(FEED_FORWARD, width),
+            nn.Linear(hidden, width),
         )
 
 
 class EncoderBlock(nn.Module):
     """Pre-norm self-attention and feed-forward: [B, S, C] → [B, S, C]."""
 
-    def __init__(self, width: int, dropout: float) -> None:
+    def __init__(self, width: int, dropout: float, feed_forward: int | None = None) -> None:
         super().__init__()
         self.norm_attention, self.norm_forward = nn.LayerNorm(width), nn.LayerNorm(width)
         self.attention = Attention(width, dropout)
-        self.forward_layers = FeedForward(width, dropout)
+        self.forward_layers = FeedForward(width, dropout, feed_forward)
         self.dropout = nn.Dropout(dropout)
 
     def forward(self, tokens: Tensor) -> Tensor:
@@ -84,12 +97,12 @@ class EncoderBlock(nn.Module):
 class DecoderBlock(nn.Module):
     """Pre-norm self-attention over [B, T, C], cross-attention to [B, S, C], feed-forward."""
 
-    def __init__(self, width: int, dropout: float) -> None:
+    def __init__(self, width: int, dropout: float, feed_forward: int | None = None) -> None:
         super().__init__()
         self.norm_attention, self.norm_cross = nn.LayerNorm(width), nn.LayerNorm(width)
         self.norm_forward = nn.LayerNorm(width)
         self.attention, self.cross = Attention(width, dropout), Attention(width, dropout)
-        self.forward_layers = FeedForward(width, dropout)
+        self.forward_layers = FeedForward(width, dropout, feed_forward)
         self.dropout = nn.Dropout(dropout)
 
     def forward(self, tokens: Tensor, memory: Tensor) -> Tensor:

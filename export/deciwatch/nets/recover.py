@@ -23,12 +23,15 @@ class RecoverNet(nn.Module):
         blocks: int,
         dropout: float = DROPOUT,
         preliminary: str = "cubic",
+        feed_forward: int | None = None,
     ) -> None:
         super().__init__()
         self.values, self.width, self.preliminary = values, width, preliminary
         self.encode = nn.Conv1d(values, width, KERNEL, padding=KERNEL // 2)
         self.dropout = nn.Dropout(dropout)
-        self.blocks = nn.ModuleList(DecoderBlock(width, dropout) for _ in range(blocks))
+        self.blocks = nn.ModuleList(
+            DecoderBlock(width, dropout, feed_forward) for _ in range(blocks)
+        )
         self.norm = nn.LayerNorm(width)
         self.decode = nn.Linear(width, values)  # W_RD
         nn.init.zeros_(self.decode.weight)
