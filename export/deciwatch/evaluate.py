@@ -1,128 +1,71 @@
-"""`deciwatch evaluate`: the nets against watching every frame and classical interpolation."""
+"""`deciwatch evaluate`: the nets against watching every frame and classical interpolation.
+
+On pair files (--pairs), on true poses (--labelling), or on recorded motion with made-up noise.
+"""
 
 import argparse
-import json
-from pathlib import Path
 
-from deciwatch.paths import MODELS, data_directory
-
-SEED = 11
-NEAR = (0.05, 0.1, 0.2)  # of the box, for PCK
+from deciwatch.errors import UserError
+from deciwatch.paths import BASELINES, MODELS
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
-    parser.add_argument("--data", metavar="DIR", help="motion folder (else $DECIWATCH_DATA)")
-    parser.add_argument("--split", choices=("val", "test"), default="test")
-    parser.add_argument("--dims", type=int, choices=(2, 3), default=3)
-    parser.add_argument("--every", type=int, default=10, metavar="N", help="interval, 1 to 20")
+    kind = parser.add_mutually_exclusive_group()
+    kind.add_argument(
+        "--pairs", metavar="FILE", nargs="+", help="score these pair files, see docs/pair-file.md"
+    )
+    kind.add_argument(
+        "--labelling", action="store_true", help="recover recorded motion from true sparse poses"
+    )
+    parser.add_argument(
+        "--every",
+        metavar="LIST",
+        help="intervals, 1 to 20, such as 1,3,10 (default: 1,3,5,7,10,15,20 for pairs, "
+        "2,5,10,15,20 for labelling, else 10)",
+    )
     parser.add_argument("--window", type=int, default=10, metavar="Q", help="intervals, 1 to 10")
-    parser.add_argument("--noise", choices=("nominal", "none"), default="nominal")
-    source = parser.add_mutually_exclusive_group()
-    source.add_argument("--models", metavar="DIR", default=str(MODELS), help="run what ships")
-    source.add_argument("--checkpoint", metavar="FILE", help="run a checkpoint by torch instead")
-    parser.add_argument("--json", metavar="FILE", help="also write the rows there")
+    parser.add_argument(
+        "--json",
+        metavar="FILE",
+        nargs="?",
+        const="-",
+        help="also write the rows there; without FILE, print them as JSON and nothing else",
+    )
+    parser.add_argument("--models", metavar="DIR", default=str(MODELS), help="run what ships")
+    parser.add_argument("--checkpoint", metavar="FILE", help="run a checkpoint by torch instead")
+    pairs = parser.add_argument_group("with --pairs")
+    pairs.add_argument("--methods", metavar="LIST", help="only these, such as linear,deciwatch")
+    pairs.add_argument(
+        "--checkpoint-3d", metavar="FILE", help="run checkpoints instead of --models"
+    )
+    pairs.add_argument("--checkpoint-2d", metavar="FILE")
+    pairs.add_argument(
+        "--baselines", metavar="FILE", default=str(BASELINES), help="from `deciwatch baselines`"
+    )
+    motion = parser.add_argument_group("without --pairs")
+    motion.add_argument("--data", metavar="DIR", help="motion folder (else $DECIWATCH_DATA)")
+    motion.add_argument("--split", choices=("val", "test"), default="test")
+    motion.add_argument("--dims", type=int, choices=(2, 3), default=3)
+    motion.add_argument("--noise", choices=("nominal", "none"), default="nominal")
 
 
 def run(args: argparse.Namespace) -> int:
-    """Print one row a method, and write them where --json says."""
-    import numpy as np
+    """Print one row a method and interval, and write them where --json says."""
+    import torch
 
-    from deciwatch.atomic import write_text
-    from deciwatch.data.batches import INTERVALS, WINDOWS
-    from deciwatch.data.noise import NOMINAL, NONE
-    from deciwatch.errors import UserError
-    from deciwatch.motion.load import load_motions
-    from deciwatch.runner import onnx_nets, torch_nets
+    from deciwatch.data.batches import WINDOWS
 
-    for option, value, (low, high) in (
-        ("--every", args.every, INTERVALS),
-        ("--window", args.window, WINDOWS),
-    ):
-        if not low <= value <= high:
-            raise UserError(f"{option} {value} is out of range; the nets know {low} to {high}.")
-    directory = data_directory(args.data)
-    if args.checkpoint:
-        nets = torch_nets(Path(args.checkpoint), args.dims)
+    low, high = WINDOWS
+    if not low <= args.window <= high:
+        raise UserError(f"--window {args.window} is out of range; the nets know {low} to {high}.")
+    if args.pairs and args.checkpoint:
+        raise UserError("With --pairs, name checkpoints by --checkpoint-3d and --checkpoint-2d.")
+    torch.set_num_threads(1)
+    if args.pairs:
+        from deciwatch.evaluation import score_pairs as kind
+    elif args.labelling:
+        from deciwatch.evaluation import labelling as kind
     else:
-        nets = onnx_nets(Path(args.models), args.dims)
-    motions = load_motions(directory, args.split)
-    noise = NOMINAL if args.noise == "nominal" else NONE
-    truth, estimate = _windows(motions, args.every, args.window, args.dims, noise)
-    if not len(truth):
-        raise UserError(f"No {args.split} sequence fills a window; lower --every or --window.")
-    watched = np.arange(args.window + 1) * args.every
-    rows = [
-        {"method": name, "interval": args.every if name != "every_frame" else 1}
-        | _score(poses, truth, args.dims)
-        for name, poses in _recovered(nets, estimate, watched, motions.fps)
-    ]
-    print(f"{len(truth)} windows of {truth.shape[1]} frames, {args.dims}D, noise {args.noise}")
-    _print(rows)
-    if args.json:
-        settings = {"dims": args.dims, "split": args.split, "noise": args.noise, "seed": SEED}
-        settings |= {"interval": args.every, "window": args.window, "windows": len(truth)}
-        write_text(Path(args.json), json.dumps(settings | {"rows": rows}, indent=2) + "\n")
-    return 0
-
-
-def _windows(motions, interval: int, intervals: int, dims: int, noise) -> tuple:
-    """True poses and estimates [B, T, 33, D] of every window: metres or pixels, seeded."""
-    import numpy as np
-
-    from deciwatch.data.camera import draw_views
-    from deciwatch.data.noise import add_noise
-    from deciwatch.data.windows import slices
-
-    frames = np.arange(interval * intervals + 1)
-    places = slices(motions, interval, intervals)
-    if not places:
-        return np.zeros((0, len(frames), 33, dims)), None
-    world = np.stack([motions.sequence(index)[first + frames] for index, first in places])
-    rng = np.random.default_rng(SEED)
-    views = draw_views(rng, world)
-    truth = views.poses3d(world) if dims == 3 else views.poses2d(world)
-    times = np.broadcast_to(frames / motions.fps, truth.shape[:2])
-    return truth, add_noise(rng, truth, times, noise)
-
-
-def _recovered(nets, estimate, watched, fps: float):
-    """Each method's name and its poses [B, T, 33, D]; all but the first see `watched` alone."""
-    import numpy as np
-
-    from deciwatch.interpolate import METHODS, interpolate
-    from deciwatch.runner import recover_window
-
-    batch, frames = estimate.shape[:2]
-    seconds = np.arange(frames) / fps
-    yield "every_frame", estimate
-    for method in METHODS:
-        # The windows have the same times, so one call serves them all.
-        columns = estimate[:, watched].transpose(1, 0, 2, 3).reshape(len(watched), -1)
-        filled = interpolate(seconds[watched], columns, seconds, method)
-        yield method, filled.reshape(frames, batch, *estimate.shape[2:]).transpose(1, 0, 2, 3)
-    recovered = [
-        recover_window(nets, samples, seconds[watched], seconds) for samples in estimate[:, watched]
-    ]
-    yield "deciwatch", np.stack(recovered)
-
-
-def _score(poses, truth, dims: int) -> dict[str, float]:
-    """MPJPE and Accel in mm (3D), or in px with PCK (2D); Accel only of three frames or more."""
-    from deciwatch.metrics import accel, mpjpe, pck
-
-    unit, factor = ("mm", 1000.0) if dims == 3 else ("px", 1.0)
-    score = {f"mpjpe_{unit}": mpjpe(poses, truth) * factor}
-    if truth.shape[1] >= 3:
-        score[f"accel_{unit}"] = accel(poses, truth) * factor
-    if dims == 2:
-        score |= {f"pck_{near}": pck(poses, truth, near) for near in NEAR}
-    return {name: round(value, 4) for name, value in score.items()}
-
-
-def _print(rows: list[dict]) -> None:
-    names = list(rows[0])
-    print("  ".join(f"{name:>12}" for name in names))
-    for row in rows:
-        cells = (f"{x:12.3f}" if isinstance(x, float) else f"{x:>12}" for x in row.values())
-        print("  ".join(cells))
+        from deciwatch.evaluation import made_up as kind
+    return kind.run(args)

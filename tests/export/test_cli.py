@@ -10,7 +10,10 @@ import torch
 
 from deciwatch.__main__ import COMMANDS, main
 
-OURS = ("train", "export", "evaluate", "fixtures")
+OURS = (
+    *("train", "export", "import-official", "evaluate", "baselines", "fixtures"),
+    *("study", "results"),
+)
 
 
 def complaint(capsys, *arguments: str) -> str:
@@ -61,6 +64,11 @@ def test_damaged_data(capsys, tmp_path):
     [
         (("evaluate", "--every", "21"), "--every 21"),
         (("evaluate", "--every", "0"), "--every 0"),
+        (("evaluate", "--every", "5,x"), "--every 5,x"),
+        (("evaluate", "--every", "5,10"), "one interval"),
+        (("evaluate", "--pairs", "/nowhere/x.npz"), "/nowhere/x.npz"),
+        (("evaluate", "--pairs", "x.npz", "--methods", "magic"), "--methods magic"),
+        (("evaluate", "--labelling", "--checkpoint", "/nowhere/label.pt"), "/nowhere/label.pt"),
         (("evaluate", "--window", "11"), "--window 11"),
         (("train", "--minutes", "0"), "--minutes 0"),
         (("train", "--width", "30"), "--width 30"),
@@ -80,7 +88,7 @@ def test_bad_options(capsys, monkeypatch, arguments, part):
 def test_models_that_are_not_there_or_damaged(capsys, tmp_path, data):
     options = ("evaluate", "--data", str(data), "--models", str(tmp_path))
     assert "no manifest" in complaint(capsys, *options)
-    (tmp_path / "manifest.json").write_text('{"format": "deciwatch-models/1", "pairs": {}}')
+    (tmp_path / "manifest.json").write_text('{"format": "deciwatch-models/2", "pairs": {}}')
     assert "no 3D nets" in complaint(capsys, *options)
     (tmp_path / "manifest.json").write_text('{"format": "recipes/1"}')
     assert "models manifest" in complaint(capsys, *options)

@@ -2,9 +2,11 @@
 
 import numpy as np
 import pytest
+from scipy.linalg import orthogonal_procrustes
+from scipy.spatial.transform import Rotation
 
 from deciwatch.interpolate import METHODS, interpolate
-from deciwatch.metrics import accel, mpjpe, pck
+from deciwatch.metrics import accel, mpjpe, pa_mpjpe, pck, procrustes
 
 
 def test_mpjpe_by_hand():
@@ -60,3 +62,23 @@ def test_few_samples_fall_back_and_times_outside_are_held(method):
 def test_unknown_methods_are_refused():
     with pytest.raises(ValueError, match="none of"):
         interpolate(np.arange(3.0), np.zeros((3, 1)), np.zeros(1), "septic")
+
+
+def test_procrustes_against_scipy():
+    rng = np.random.default_rng(3)
+    truth = rng.normal(size=(6, 33, 3))
+    poses = truth + rng.normal(0, 0.3, size=truth.shape)
+    poses[3] = poses[3] * [1, 1, -1]  # a mirrored pose may be turned, not mirrored back
+    expected = []
+    for pose, target in zip(poses, truth, strict=True):
+        centred, aim = pose - pose.mean(axis=0), target - target.mean(axis=0)
+        rotation, _ = orthogonal_procrustes(centred, aim)
+        if np.linalg.det(rotation) < 0:
+            rotation = Rotation.align_vectors(aim, centred)[0].as_matrix().T
+        turned = centred @ rotation
+        scale = (turned * aim).sum() / (turned**2).sum()
+        expected.append(scale * turned + target.mean(axis=0))
+    np.testing.assert_allclose(procrustes(poses, truth), expected, atol=1e-9)
+    turn = Rotation.from_rotvec([0.3, -2.0, 0.5]).as_matrix()
+    assert pa_mpjpe(0.4 * truth @ turn.T + [5, 6, 7], truth) == pytest.approx(0, abs=1e-9)
+    assert pa_mpjpe(poses, truth) < mpjpe(poses, truth)
