@@ -1,0 +1,1 @@
+"""The kinds of plots in docs/results.md."""
