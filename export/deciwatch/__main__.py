@@ -10,16 +10,22 @@ from deciwatch.errors import UserError
 COMMANDS: dict[str, tuple[str, str]] = {
     "train": ("deciwatch.train", "train a pair of nets on recorded motion"),
     "export": ("deciwatch.export", "write a pair as ONNX files and a manifest"),
-    "evaluate": ("deciwatch.evaluate", "compare the nets with classical interpolation"),
+    "import-official": ("deciwatch.official.command", "run a checkpoint of DeciWatch's authors"),
+    "evaluate": ("deciwatch.evaluate", "score the nets, interpolations and filters"),
+    "baselines": ("deciwatch.baselines", "fit what the nets are compared with on pair files"),
+    "study": ("deciwatch.studies.study", "run the paper's studies on pairs"),
+    "results": ("deciwatch.studies.results", "write docs/results.md from what was measured"),
+    "fit-noise": ("deciwatch.fit_noise", "fit the model of an estimator's errors to pairs"),
     "fixtures": ("deciwatch.fixtures", "write the numbers that the web tests check against"),
     "bundles": ("deciwatch.bundles", "build MediaPipe's estimator bundles"),
+    "pairs": ("deciwatch.pairs.command", "render avatars and estimate them, for training and test"),
     "sample": ("deciwatch.sample", "make the bundled sample video"),
 }
 
 
 def usage() -> str:
     """The list of commands."""
-    lines = [f"  {name:10} {purpose}" for name, (_, purpose) in COMMANDS.items()]
+    lines = [f"  {name:15} {purpose}" for name, (_, purpose) in COMMANDS.items()]
     return "\n".join(["usage: python -m deciwatch COMMAND [--help]", "", "commands:", *lines])
 
 

@@ -7,7 +7,9 @@ from deciwatch.errors import UserError
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 CHECKPOINTS = REPOSITORY / "export" / "checkpoints"
+BASELINES = CHECKPOINTS / "baselines.npz"
 MODELS = REPOSITORY / "public" / "models"
+ESTIMATORS = REPOSITORY / "public" / "estimators" / "manifest.json"
 FIXTURES = REPOSITORY / "tests" / "fixtures"
 RUNS = REPOSITORY / "runs"
 

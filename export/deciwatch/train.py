@@ -1,124 +1,186 @@
-"""`deciwatch train`: train a pair of nets on recorded motion with made-up estimator noise."""
+"""`deciwatch train`: train a pair of nets on recorded motion, on pairs, or on both."""
 
 import argparse
 import json
 import time
-from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from deciwatch.errors import UserError
 from deciwatch.paths import REPOSITORY, RUNS, data_directory
+from deciwatch.train_options import add_arguments, check
+
+__all__ = ["add_arguments", "run"]
+
+if TYPE_CHECKING:
+    from deciwatch.data.sources import Sources
+    from deciwatch.nets.pair import PairConfig
+    from deciwatch.trainer import Trainer
+    from deciwatch.validation import Validation
 
 DATA = (
     "CMU Graphics Lab Motion Capture Database (mocap.cs.cmu.edu, NSF EIA-0196217), "
-    "21.4 min at 30 fps, mirrored, resized, at other speeds; made-up estimator noise"
+    "21.4 min at 30 fps, mirrored, resized, at other speeds"
 )
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Options of the command."""
-    parser.add_argument("--data", metavar="DIR", help="motion folder (else $DECIWATCH_DATA)")
-    parser.add_argument("--dims", type=int, choices=(2, 3), default=3)
-    parser.add_argument("--name", help="folder under runs/ (default: the representation, e.g. 3d)")
-    budget = parser.add_mutually_exclusive_group()
-    budget.add_argument(
-        "--minutes", type=float, default=45.0, help="time to train for (default 45)"
-    )
-    budget.add_argument("--steps", type=int, help="steps to train for, instead of minutes")
-    parser.add_argument("--resume", action="store_true", help="go on from runs/NAME/last.pt")
-    parser.add_argument("--start-from", metavar="FILE", help="begin with a checkpoint's weights")
-    parser.add_argument("--width", type=int, default=64, help="C (default 64)")
-    parser.add_argument("--blocks", type=int, default=5, help="M (default 5)")
-    parser.add_argument("--preliminary", choices=("linear", "cubic"), default="cubic")
-    parser.add_argument("--dropout", type=float, default=0.1)
-    parser.add_argument("--lam", type=float, default=5.0, help="λ of equation 6 (default 5)")
-    parser.add_argument("--rate", type=float, default=1.5e-3, help="highest learning rate")
-    parser.add_argument(
-        "--denoise-first",
-        type=float,
-        default=0.12,
-        metavar="SHARE",
-        help="share of the budget spent on DenoiseNet alone (default 0.12)",
-    )
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--threads", type=int, default=1, help="torch threads (default 1)")
-    parser.add_argument("--every", type=float, default=2.0, help="minutes between checkpoints")
-
-
 def run(args: argparse.Namespace) -> int:
-    """Train until the budget is used up; checkpoints and the log go to runs/NAME/."""
+    """Train until the budget is used up; the log goes to the terminal, nets to runs/NAME/.
+
+    last.pt is what `--resume` goes on from, best.pt the averaged weights that validated best.
+    """
     import torch
 
-    from deciwatch.data.batches import training_batch
-    from deciwatch.motion.load import load_motions
-    from deciwatch.nets.pair import PairConfig
     from deciwatch.trainer import Recipe, Trainer
-    from deciwatch.validation import cached_batch, linear_errors, pair_errors
 
-    _check(args)
-    directory = data_directory(args.data)
+    check(args)
     torch.set_num_threads(args.threads)
-    motions = load_motions(directory, "train")
-    folder = RUNS / (args.name or f"{args.dims}d")
-    config = PairConfig(args.dims, args.width, args.blocks, args.preliminary, args.dropout)
-    minutes = None if args.steps else args.minutes
+    config = _config(args)
+    sources, validations = _data(args, config)
     recipe = Recipe(
         args.steps,
-        minutes,
+        None if args.steps else args.minutes,
         rate=args.rate,
+        decay=args.decay,
         lam=args.lam,
         seed=args.seed,
         denoise_first=args.denoise_first,
     )
-    trainer = Trainer(config, recipe, partial(training_batch, motions=motions, dims=args.dims))
+    trainer = Trainer(config, recipe, sources)
+    folder = RUNS / (args.name or f"{args.dims}d")
     before = trainer.start_from(Path(args.start_from)) if args.start_from else {}
     if args.resume:
         # What had been done before this run began, if it had started from a checkpoint.
         noted = trainer.resume(folder / "last.pt")
         before = {key: noted[key] - count for key, count in trainer.counts().items()}
-    batch = cached_batch(directory, args.dims)
-    linear = linear_errors(batch, args.dims)
-    unit = "mm" if args.dims == 3 else "px"
-    print(f"validation, linear: {linear['position']:.2f} {unit}, {linear['accel']:.2f}", flush=True)
-
-    def note() -> None:
-        ours = pair_errors(trainer.averaged, batch, args.dims)
-        training = {
-            "data": DATA,
-            "commit": _commit(),
-            **{key: round(n + before.get(key, 0), 2) for key, n in trainer.counts().items()},
-            "seed": args.seed,
-            "validation": {"unit": unit, "interval": 10, "window": 10}
-            | {f"linear_{key}": round(value, 2) for key, value in linear.items()}
-            | {f"deciwatch_{key}": round(value, 2) for key, value in ours.items()},
-        }
-        trainer.save(folder / "last.pt", training)
-        line = {"step": trainer.done, "minutes": training["minutes"], "loss": round(recent, 4)}
-        print(json.dumps(line | ours | {"rate": round(trainer.rate(), 6)}), flush=True)
+    elif args.pairs and not args.start_from:
+        trainer.start_linearly()
+    for name, validation in validations.items():
+        for method, found in validation.baselines.items():
+            print(json.dumps({"validation": name, "method": method} | _rounded(found)), flush=True)
 
     recent, saved = 0.0, time.monotonic()
     while trainer.progress < 1:
         value = trainer.step()
         recent = value if trainer.done < 2 else recent + 0.02 * (value - recent)
-        if time.monotonic() - saved > args.every * 60:
-            note()
+        if time.monotonic() - saved > args.every * 60 or trainer.progress >= 1:
+            _note(args, trainer, validations, folder, before, recent)
             saved = time.monotonic()
-    note()
     return 0
 
 
-def _check(args: argparse.Namespace) -> None:
-    """Raise UserError for numbers that no training can have."""
-    for name in ("minutes", "steps", "width", "blocks", "threads", "rate", "every"):
-        value = getattr(args, name)
-        if value is not None and value <= 0:
-            raise UserError(f"--{name} {value} makes no training; give a number above 0.")
-    if args.width % 4:
-        raise UserError(
-            f"--width {args.width} does not divide by four heads; give a multiple of 4."
+def _config(args: argparse.Namespace) -> "PairConfig":
+    """The nets asked for. Raises UserError for inputs that no pair has."""
+    from deciwatch.nets.pair import PairConfig
+
+    try:
+        return PairConfig(
+            args.dims,
+            args.width,
+            args.blocks,
+            args.preliminary,
+            args.dropout,
+            inputs=tuple(args.inputs.split(",")) if args.inputs else (),
+            recover=args.recover,
+            feed_forward=args.feed_forward,
+            denoise=args.noise != "none",
         )
-    if not 0 <= args.dropout < 1:
-        raise UserError(f"--dropout {args.dropout} is no share; give 0 or more and less than 1.")
+    except ValueError as error:
+        raise UserError(f"--inputs {args.inputs} is no input of these nets: {error}.") from error
+
+
+def _data(
+    args: argparse.Namespace, config: "PairConfig"
+) -> tuple["Sources", dict[str, "Validation"]]:
+    """Where batches come from, and the validations; the first of them chooses the best pair."""
+    from deciwatch.data.noise import NOMINAL, NONE, TRAINING
+    from deciwatch.data.noise_file import load_noise
+    from deciwatch.data.sources import Sources
+    from deciwatch.data.staged import load_staged
+    from deciwatch.data.training_pairs import load_pairs
+    from deciwatch.motion.load import load_motions
+    from deciwatch.pair_validation import pair_validation
+    from deciwatch.validation import recorded_validation
+
+    kind = args.noise
+    if kind == "fitted":
+        training = checking = load_noise(Path(args.noise_model))
+    else:
+        training, checking = (TRAINING, NOMINAL) if kind == "made-up" else (NONE, NONE)
+    if kind != "fitted" and len(config.inputs) > 1:
+        raise UserError(f"--noise {kind} makes no further --inputs; leave them out, or fit noise.")
+    directory = data_directory(args.data)
+    pairs = load_pairs([Path(path) for path in args.pairs], config.inputs) if args.pairs else None
+    if args.staged and kind != "fitted":
+        raise UserError("--staged needs --noise fitted, which makes its estimates; add that.")
+    sources = Sources(
+        None if args.staged else load_motions(directory, "train"),
+        config.inputs,
+        training,
+        few=config.recover == "samples",
+        pairs=pairs,
+        share=args.share_pairs,
+        staged=load_staged(Path(args.staged)) if args.staged else None,
+    )
+    validations = {}
+    if args.val_pairs:
+        path = Path(args.val_pairs)
+        seen = load_pairs([path], config.inputs)
+        validations["pairs"] = pair_validation(seen, config.inputs, str(path))
+    motions = load_motions(directory, "val")
+    validations["recorded"] = recorded_validation(motions, config.inputs, checking)
+    return sources, validations
+
+
+def _note(
+    args: argparse.Namespace,
+    trainer: "Trainer",
+    validations: dict[str, "Validation"],
+    folder: Path,
+    before: dict,
+    recent: float,
+) -> None:
+    """Validate, print a line, write last.pt and, where it is the best yet, best.pt."""
+    found = {name: each.of(trainer.averaged) for name, each in validations.items()}
+    chosen, checked = next(iter(validations.items()))
+    ours = found[chosen]
+    training = {
+        "data": _described(args),
+        "commit": _commit(),
+        **{key: round(n + before.get(key, 0), 2) for key, n in trainer.counts().items()},
+        "seed": args.seed,
+        "validation": {"unit": checked.unit, "interval": 10, "window": 10, "on": chosen}
+        | {
+            f"{method}_{key}": round(value, 2)
+            for method, errors in (checked.baselines | {"deciwatch": ours}).items()
+            for key, value in errors.items()
+        },
+    }
+    if trainer.best is None or ours["position"] < trainer.best:
+        trainer.best = ours["position"]
+        trainer.share(folder / "best.pt", training)
+    trainer.save(folder / "last.pt", training)
+    line = {"step": trainer.done, "windows": trainer.windows, "minutes": training["minutes"]}
+    line |= {"loss": round(recent, 4)}
+    for name, errors in found.items():
+        line |= {f"{name}_{key}": round(value, 2) for key, value in errors.items()}
+    print(json.dumps(line | {"rate": round(trainer.rate(), 6)}), flush=True)
+
+
+def _described(args: argparse.Namespace) -> str:
+    """What the nets were trained on, for the manifest."""
+    noises = {"none": "true samples", "fitted": "noise fitted to pairs"}
+    words = f"{DATA}; {noises.get(args.noise, 'made-up estimator noise')}"
+    if args.staged:
+        words = f"{Path(args.staged).stem}; {words}"
+    if args.pairs:
+        names = ", ".join(Path(path).stem for path in args.pairs)
+        words = f"pairs {names} ({args.share_pairs:.0%} of batches); {words}"
+    return words
+
+
+def _rounded(found: dict[str, float]) -> dict[str, float]:
+    return {key: round(value, 2) for key, value in found.items()}
 
 
 def _commit() -> str | None:

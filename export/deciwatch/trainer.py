@@ -5,17 +5,19 @@ import json
 import math
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 import torch
 
 from deciwatch import checkpoint
-from deciwatch.data.batches import Batch
+from deciwatch.data.batch import Batch
 from deciwatch.errors import UserError
-from deciwatch.loss import LAMBDA, loss
+from deciwatch.linear_start import start_linearly
+from deciwatch.loss import LAMBDA, loss, relative_loss
 from deciwatch.nets.pair import Pair, PairConfig
+from deciwatch.nets.preliminary import preliminary_recovery
 
 WARMUP = 0.03  # share of the budget
 LAST_RATE = 0.01  # share of the highest learning rate that is left at the end
@@ -55,6 +57,7 @@ class Trainer:
             self.pair.parameters(), lr=recipe.rate, weight_decay=recipe.decay
         )
         self.done, self.windows, self.seconds = 0, 0, 0.0
+        self.best: float | None = None  # lowest validation error yet
 
     @property
     def progress(self) -> float:
@@ -77,7 +80,7 @@ class Trainer:
     def step(self) -> float:
         """One batch; returns its loss. Raises FloatingPointError if that is not finite."""
         begun = time.monotonic()
-        sparse = self.progress < self.recipe.denoise_first
+        sparse = self.config.denoise and self.progress < self.recipe.denoise_first
         batch = self.make_batch(self.rng, sparse=sparse)
         sampled, clean, poses, sample_times, frame_times = map(
             torch.from_numpy,
@@ -88,6 +91,11 @@ class Trainer:
             group["lr"] = self.rate()
         if sparse:
             value = (self.pair.denoise(sampled, sample_times)[0] - clean).abs().mean()
+        elif not self.config.denoise:
+            got_poses = self.pair(sampled, sample_times, frame_times)[1]
+            kind = self.config.preliminary
+            start = preliminary_recovery(clean, sample_times, frame_times, kind)
+            value = relative_loss(got_poses, poses, start)
         else:
             got_clean, got_poses = self.pair(sampled, sample_times, frame_times)
             value = loss(got_poses, poses, got_clean, clean, self.recipe.lam)
@@ -110,6 +118,10 @@ class Trainer:
         averages, lives = list(self.averaged.parameters()), list(self.pair.parameters())
         torch._foreach_lerp_(averages, lives, 1 - keep)
 
+    def share(self, path: Path, training: dict) -> None:
+        """Write the averaged weights alone, as `export` wants them."""
+        checkpoint.save(path, self.config, self.averaged.state_dict(), training)
+
     def save(self, path: Path, training: dict) -> None:
         """Write everything that `resume` needs; the shared weights are the averaged ones."""
         state = {
@@ -118,6 +130,7 @@ class Trainer:
             "numpy": json.dumps(self.rng.bit_generator.state),
             "torch": torch.get_rng_state(),
             "counts": [self.done, self.windows, self.seconds],
+            "best": self.best,
         }
         checkpoint.save(path, self.config, self.averaged.state_dict(), training, state)
 
@@ -138,18 +151,25 @@ class Trainer:
         self.rng.bit_generator.state = json.loads(state["numpy"])
         torch.set_rng_state(state["torch"])
         self.done, self.windows, self.seconds = state["counts"]
+        self.best = state.get("best")
         return content["training"]
+
+    def start_linearly(self) -> None:
+        """Begin with the best linear correction of these batches (`linear_start.py`)."""
+        start_linearly(self.pair, self.make_batch)
+        self.averaged.load_state_dict(self.pair.state_dict())
 
     def start_from(self, path: Path) -> dict:
         """Begin anew with the weights of a checkpoint; returns what it says of its training.
 
-        Raises UserError if its nets have other sizes.
+        Raises UserError if its nets are made otherwise.
         """
         earlier, content = checkpoint.load_pair(path)
-        sizes = ("dims", "width", "blocks")
-        if any(getattr(earlier.config, name) != getattr(self.config, name) for name in sizes):
+        same = replace(earlier.config, dropout=self.config.dropout)
+        if replace(same, preliminary=self.config.preliminary) != self.config:
             raise UserError(
-                f"{path} holds nets of another size; start with its --dims and --width."
+                f"{path} holds nets of another make; start with its --dims, --inputs, --recover, "
+                f"--width, --blocks and --feed-forward."
             )
         for net in (self.pair, self.averaged):
             net.load_state_dict(content["weights"])

@@ -5,10 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from deciwatch.data.augment import augment, mirror
+from deciwatch.data.augment import augment, graft, mirror
 from deciwatch.data.batches import INTERVALS, WINDOWS, draw_lengths, keep_samples, training_batch
 from deciwatch.data.camera import NEAREST, draw_views
 from deciwatch.data.noise import JITTER, NOMINAL, NONE, add_noise
+from deciwatch.data.places import PER_GAP
 from deciwatch.data.windows import choose, resample, slices
 from deciwatch.normalise import frame_of, from_net, to_net
 from deciwatch.skeleton import INDEX, mid_hip
@@ -48,6 +49,23 @@ def test_a_mirror_image_of_a_mirror_image_is_the_original(motions):
     poses = motions.landmarks[:3]
     np.testing.assert_array_equal(mirror(mirror(poses)), poses)
     assert augment(rng(), poses[None].repeat(5, axis=0)).shape == (5, 3, 33, 3)
+
+
+def test_grafted_legs_are_anothers_and_fit_the_hips(motions):
+    turned = motions.sequence(1)[:40] @ np.array([[0, 0, 1.0], [0, 1, 0], [-1, 0, 0]])
+    poses = np.stack([motions.sequence(0)[60:100], turned] * 20)
+    grafted = graft(rng(), poses)
+    np.testing.assert_array_equal(grafted[:, :, :23], poses[:, :, :23])
+    changed = [i for i in range(40) if not np.allclose(grafted[i], poses[i], atol=1e-6)]
+    assert 4 < len(changed) < 20
+    for i in changed:
+        # About the hips, the legs are those of the other recording, turned about the vertical.
+        legs, donor = ((x - mid_hip(x))[:, 25:33] for x in (grafted[i], poses[1 - i % 2]))
+        np.testing.assert_allclose(legs[..., 1], donor[..., 1], atol=1e-6)
+        np.testing.assert_allclose(*(np.linalg.norm(x, axis=-1) for x in (legs, donor)), atol=1e-5)
+        hips = [(x[:, 23] - x[:, 24]).mean(axis=0)[[0, 2]] for x in (grafted[i], poses[i])]
+        cosine = hips[0] @ hips[1] / np.linalg.norm(hips[0]) / np.linalg.norm(hips[1])
+        assert cosine > 1 - 1e-6
 
 
 def test_cameras_keep_lengths_and_agree_in_2d_and_3d(motions):
@@ -131,7 +149,7 @@ def test_normalisation_and_back():
 def test_batches_hold_together(motions, dims, sparse):
     generator = rng(4)
     for _ in range(8):
-        batch = training_batch(generator, motions, dims, sparse=sparse)
+        batch = training_batch(generator, motions, (f"{dims}d",), sparse=sparse)
         size, samples, values = batch.sampled.shape
         frames = batch.poses.shape[1]
         assert values == 33 * dims and batch.clean.shape == batch.sampled.shape
@@ -148,8 +166,24 @@ def test_batches_hold_together(motions, dims, sparse):
         assert np.isfinite(batch.poses).all() and np.isfinite(batch.sampled).all()
 
 
+def test_a_few_frames_of_every_gap_are_the_truth_at_their_times(motions):
+    generator = rng(3)
+    for _ in range(6):
+        batch = training_batch(generator, motions, ("3d",), estimator=NONE, few=True)
+        assert batch.poses.shape[1] == PER_GAP * (batch.clean.shape[1] - 1)
+        left, right = batch.sample_times[:, :-1, None], batch.sample_times[:, 1:, None]
+        inside = batch.frame_times.reshape(*left.shape[:2], PER_GAP)
+        assert ((left <= inside) & (inside <= right)).all()
+        np.testing.assert_allclose(batch.sampled, batch.clean, atol=1e-5)
+        # A frame as close to a sample as a tenth of a frame has nearly the sample's pose.
+        off = np.abs(batch.frame_times[:, :, None] - batch.sample_times[:, None])
+        window, frame, sample = np.nonzero(off < 0.1)
+        moved = np.abs(batch.poses[window, frame] - batch.clean[window, sample])
+        assert moved.size == 0 or moved.max() < 0.05
+
+
 def test_batches_are_the_same_for_the_same_seed(motions):
-    first, second = (training_batch(rng(9), motions, 3) for _ in range(2))
+    first, second = (training_batch(rng(9), motions, ("3d",)) for _ in range(2))
     np.testing.assert_array_equal(first.sampled, second.sampled)
     np.testing.assert_array_equal(first.poses, second.poses)
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from deciwatch.fixture_numbers import interpolation_cases, metric_cases, normalise_cases
+from deciwatch.fixture_stitching import stitching_cases
 from deciwatch.interpolate import interpolate
 from deciwatch.metrics import accel, mpjpe, pck
 from deciwatch.normalise import SCALE_3D, window_box
@@ -51,6 +52,6 @@ def test_metrics():
 
 def test_the_committed_numbers_can_be_made_again():
     made = {"normalise": normalise_cases(5), "interpolation": interpolation_cases(5)}
-    made["metrics"] = metric_cases(5)
+    made |= {"metrics": metric_cases(5), "stitching": stitching_cases(5)}
     for name, content in made.items():
         assert json.loads(json.dumps(content)) == read(name)

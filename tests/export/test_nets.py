@@ -3,10 +3,16 @@
 import pytest
 import torch
 
+from deciwatch.nets.blocks import feed_forward_width, head_count
+from deciwatch.nets.bones import bone_lengths
+from deciwatch.nets.facing import facing, turn
 from deciwatch.nets.pair import Pair, PairConfig
 from deciwatch.nets.preliminary import KINDS, preliminary_matrix, preliminary_recovery
+from deciwatch.nets.recover_samples import neighbours
 
 SMALL = PairConfig(dims=2, width=16, blocks=2)
+SAMPLES = {dims: PairConfig(dims=dims, width=16, blocks=2, recover="samples") for dims in (2, 3)}
+EVERY = ("3d", "2d", "scores")
 
 
 def pair(config: PairConfig = SMALL, trained: bool = True) -> Pair:
@@ -26,15 +32,17 @@ def inputs(samples: int, frames: int, values: int = 66):
     return sampled, sample_times, frame_times
 
 
-@pytest.mark.parametrize("dims", [2, 3])
+@pytest.mark.parametrize("recover", ["frames", "samples"])
+@pytest.mark.parametrize(("dims", "kinds"), [(2, ()), (3, ()), (3, EVERY)])
 @pytest.mark.parametrize(("samples", "frames"), [(1, 1), (2, 2), (2, 21), (11, 101), (12, 230)])
 @torch.no_grad()
-def test_shapes_and_finite_values(dims, samples, frames):
-    net = pair(PairConfig(dims=dims, width=16, blocks=1))
-    sampled, sample_times, frame_times = inputs(samples, frames, 33 * dims)
+def test_shapes_and_finite_values(recover, dims, kinds, samples, frames):
+    config = PairConfig(dims=dims, width=16, blocks=1, inputs=kinds, recover=recover)
+    net = pair(config)
+    sampled, sample_times, frame_times = inputs(samples, frames, config.channels)
     clean, features = net.denoise(sampled, sample_times)
     poses = net.recover(clean, features, sample_times, frame_times)
-    assert clean.shape == sampled.shape
+    assert clean.shape == (2, samples, 33 * dims)
     assert features.shape == (2, samples, 16)
     assert poses.shape == (2, frames, 33 * dims)
     assert poses.isfinite().all()
@@ -122,3 +130,102 @@ def test_wrong_shapes_are_refused():
     sampled, sample_times, _ = inputs(4, 31)
     with pytest.raises(AssertionError):
         net.denoise(sampled[..., :60], sample_times)
+
+
+def test_configurations_that_no_pair_can_have_are_refused():
+    for wrong in ({"inputs": ("2d", "3d")}, {"inputs": ("3d", "3d")}, {"recover": "gaps"}):
+        with pytest.raises(ValueError):
+            PairConfig(dims=3, **wrong)
+    assert PairConfig(dims=2, inputs=["2d", "scores"]).channels == 99
+
+
+def test_widths_of_blocks_are_those_of_the_nets_trained_before():
+    # Checkpoints that name no feed-forward width have C = 64 and 256 of it, with four heads.
+    assert (feed_forward_width(64), head_count(64)) == (256, 4)
+    assert (feed_forward_width(256), head_count(256)) == (512, 8)
+
+
+@torch.no_grad()
+def test_without_denoising_the_samples_stay_as_they_are():
+    net = pair(PairConfig(dims=3, width=16, blocks=1, recover="samples", denoise=False))
+    sampled, sample_times, frame_times = inputs(4, 31, 99)
+    clean, poses = net(sampled, sample_times, frame_times)
+    assert torch.equal(clean, sampled)
+    torch.testing.assert_close(poses[:, [0, 10, 20, 30]], sampled, atol=1e-5, rtol=1e-5)
+
+
+@torch.no_grad()
+def test_frames_find_the_samples_around_them():
+    sample_times = torch.tensor([[0.0, 3.0, 11.0, 12.0]])
+    frame_times = torch.tensor([[-2.0, 0.0, 1.5, 3.0, 9.0, 11.5, 12.0, 20.0]])
+    left, right, u, gap = neighbours(sample_times, frame_times)
+    assert left[0].argmax(dim=-1).tolist() == [0, 0, 0, 1, 1, 2, 3, 3]
+    assert (left.sum(dim=-1) == 1).all()
+    assert right[0].sum(dim=-1).tolist() == [1, 1, 1, 1, 1, 1, 0, 0]
+    assert u[0, :, 0].tolist() == [0, 0, 0.5, 0, 0.75, 0.5, 0, 0]
+    assert gap[0, :6, 0].tolist() == [3, 3, 3, 8, 8, 1]
+
+
+@torch.no_grad()
+def test_an_untrained_samples_net_in_2d_is_the_preliminary_recovery():
+    net = pair(SAMPLES[2], trained=False)
+    sampled, sample_times, frame_times = inputs(5, 41)
+    expected = preliminary_recovery(sampled, sample_times, frame_times, "cubic")
+    assert torch.equal(net(sampled, sample_times, frame_times)[1], expected)
+
+
+@pytest.mark.parametrize("dims", [2, 3])
+@torch.no_grad()
+def test_corrections_vanish_at_the_samples_and_shrink_with_the_gap(dims):
+    net = pair(SAMPLES[dims]).recover
+    clean, sample_times, _ = inputs(6, 51, 33 * dims)
+    features = torch.randn(2, 6, 16)
+    at_samples = net(clean, features, sample_times, sample_times)
+    torch.testing.assert_close(at_samples, clean, atol=1e-5, rtol=1e-5)
+    if dims == 2:
+        # The same motion ten times as fast: tokens change little, corrections by about ten.
+        sizes = []
+        for share in (1.0, 0.01):
+            middle = (sample_times[:, :1] + share * 5) + 0 * sample_times[:, :1]
+            start = preliminary_recovery(clean, share * sample_times, middle, "cubic")
+            sizes.append((net(clean, features, share * sample_times, middle) - start).abs().max())
+        assert sizes[0] > 0 and sizes[1] < 0.3 * sizes[0]
+
+
+@torch.no_grad()
+def test_every_frame_is_answered_by_itself():
+    net = pair(SAMPLES[3])
+    sampled, sample_times, frame_times = inputs(6, 51, 99)
+    whole = net(sampled, sample_times, frame_times)[1]
+    some = torch.tensor([3, 17, 20, 44])
+    torch.testing.assert_close(net(sampled, sample_times, frame_times[:, some])[1], whole[:, some])
+
+
+@torch.no_grad()
+def test_what_the_samples_net_learns_holds_for_every_view():
+    net = pair(SAMPLES[3]).recover
+    clean, sample_times, frame_times = inputs(5, 41, 99)
+    features = torch.randn(2, 5, 16)
+    poses = net(clean, features, sample_times, frame_times)
+    direction = torch.tensor([0.6, 0.8]).expand(2, 1, 2)
+    turned = net(turn(clean, direction), features, sample_times, frame_times)
+    torch.testing.assert_close(turned, turn(poses, direction), atol=1e-4, rtol=1e-4)
+    towards = facing(turn(clean, facing(clean)))
+    torch.testing.assert_close(towards, torch.tensor([1.0, 0.0]).expand(2, 5, 2))
+    torch.testing.assert_close(turn(turn(clean, direction), direction, back=True), clean)
+
+
+@torch.no_grad()
+def test_bones_keep_their_lengths_between_samples():
+    net = pair(SAMPLES[3])
+    pose = torch.randn(1, 1, 99)
+    pose[..., 69:72], pose[..., 72:75] = torch.tensor([0.2, 0, 0]), torch.tensor([-0.2, 0, 0])
+    angles = torch.tensor([0.0, 1.0, 2.0, 3.0])
+    directions = torch.stack([angles.cos(), angles.sin()], dim=-1)[None]
+    spinning = turn(pose.expand(1, 4, 99), directions)
+    times = torch.arange(4.0)[None] * 10
+    poses = net.recover(spinning, torch.randn(1, 4, 16), times, torch.linspace(0, 30, 31)[None])
+    expected = bone_lengths(pose).expand(1, 31, -1)
+    torch.testing.assert_close(bone_lengths(poses), expected, atol=1e-4, rtol=1e-4)
+    straight = preliminary_recovery(spinning, times, torch.linspace(0, 30, 31)[None], "cubic")
+    assert (bone_lengths(straight) - expected).abs().max() > 0.02

@@ -2,20 +2,25 @@
 
 from functools import partial
 
+import numpy as np
 import pytest
 import torch
 
 from deciwatch import checkpoint
 from deciwatch.data.batches import training_batch
+from deciwatch.data.noise import NONE
+from deciwatch.data.sources import Sources
 from deciwatch.errors import UserError
+from deciwatch.loss import LITTLE
 from deciwatch.nets.pair import PairConfig
+from deciwatch.nets.preliminary import preliminary_recovery
 from deciwatch.trainer import Recipe, Trainer
 
 CONFIG = PairConfig(dims=2, width=16, blocks=1)
 
 
 def trainer(motions, steps: int = 4, **options) -> Trainer:
-    batch = partial(training_batch, motions=motions, dims=2, budget=200)
+    batch = partial(training_batch, motions=motions, inputs=("2d",), budget=200)
     return Trainer(CONFIG, Recipe(steps=steps, **options), batch)
 
 
@@ -41,6 +46,19 @@ def test_training_lowers_the_loss(motions):
     assert sum(losses[-15:]) < 0.9 * sum(losses[:15])
 
 
+def test_on_true_samples_only_the_frames_between_are_learnt(motions):
+    config = PairConfig(dims=2, width=32, blocks=1, recover="samples", denoise=False)
+    batch = Sources(motions, config.inputs, NONE, few=True)(np.random.default_rng(3))
+    recipe = Recipe(steps=60, rate=2e-3, denoise_first=0.5)
+    run = Trainer(config, recipe, lambda rng, sparse: batch)
+    losses = [run.step() for _ in range(60)]
+    # As a share of W_PR's error, so that every batch counts alike, whatever its interval.
+    given = map(torch.from_numpy, (batch.clean, batch.sample_times, batch.frame_times))
+    off = (preliminary_recovery(*given, "cubic") - torch.from_numpy(batch.poses)).abs().mean()
+    assert losses[0] == pytest.approx((off / (off + LITTLE)).item(), rel=1e-4)
+    assert sum(losses[-5:]) < 0.7 * sum(losses[:5])
+
+
 def test_the_rate_warms_up_and_comes_down(motions):
     run = trainer(motions, steps=1000)
     rates = []
@@ -59,7 +77,7 @@ def test_a_shared_checkpoint_cannot_be_resumed_but_started_from(motions, tmp_pat
     other = trainer(motions, seed=5)
     assert other.start_from(tmp_path / "shared.pt") == {"steps": 1}
     wider = Trainer(PairConfig(dims=2, width=20, blocks=1), run.recipe, run.make_batch)
-    with pytest.raises(UserError, match="another size"):
+    with pytest.raises(UserError, match="another make"):
         wider.start_from(tmp_path / "shared.pt")
     assert torch.equal(other.pair.denoise.embed.weight, run.averaged.denoise.embed.weight)
 

@@ -1,15 +1,15 @@
 """Training batches: windows of random length, interval, frame rate, camera and noise."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from deciwatch.data.augment import augment, draw_speeds
+from deciwatch.data.augment import augment, draw_speeds, graft
+from deciwatch.data.batch import Batch, Windows, normalised
 from deciwatch.data.camera import draw_views
 from deciwatch.data.noise import TRAINING, Noise, add_noise
+from deciwatch.data.places import few_places
+from deciwatch.data.residuals import ResidualNoise
 from deciwatch.data.windows import choose, resample
 from deciwatch.motion.motions import Motions
-from deciwatch.normalise import frame_of, to_net
 
 TIME_UNIT = 1.0 / 30.0  # seconds; the nets' times count these
 INTERVALS = (1, 20)  # range of N
@@ -18,21 +18,8 @@ FRAME_RATES = np.array([15.0, 20.0, 24.0, 25.0, 30.0, 50.0, 60.0])
 LONGEST = 7.0  # seconds; few recordings are longer
 MOST_WINDOWS = 64
 
-
-@dataclass(frozen=True)
-class Batch:
-    """B windows in net values. Times are in units of TIME_UNIT from the window's first sample.
-
-    sampled, clean: [B, S, K·D] estimate and truth. poses: [B, T, K·D] truth.
-    sample_times: [B, S]. frame_times: [B, T]. unit: [B] size of 1 in metres or pixels.
-    """
-
-    sampled: np.ndarray
-    clean: np.ndarray
-    poses: np.ndarray
-    sample_times: np.ndarray
-    frame_times: np.ndarray
-    unit: np.ndarray
+# Made-up errors of one representation, or a fitted model of an estimator's.
+Estimator = Noise | ResidualNoise
 
 
 def draw_lengths(rng: np.random.Generator) -> tuple[int, int]:
@@ -73,48 +60,83 @@ def build(
     world: np.ndarray,
     times: np.ndarray,
     watched: np.ndarray,
-    dims: int,
-    noise: Noise,
+    inputs: tuple[str, ...],
+    estimator: Estimator,
+    scored: np.ndarray | None = None,
 ) -> Batch:
-    """A batch from world landmarks [B, T, 33, 3] at times [B, T] in units."""
-    views = draw_views(rng, world)
-    truth = views.poses3d(world) if dims == 3 else views.poses2d(world)
-    sample_times = times[:, watched]
-    estimate = add_noise(rng, truth[:, watched], sample_times * TIME_UNIT, noise)
-    origin, unit = frame_of(estimate)
-    poses = to_net(truth, origin, unit)
-    return Batch(
-        sampled=to_net(estimate, origin, unit),
-        clean=poses[:, watched],
-        poses=poses,
-        sample_times=sample_times.astype(np.float32),
-        frame_times=times.astype(np.float32),
-        unit=unit.reshape(-1).astype(np.float32),
+    """A batch from world landmarks [B, L, 33, 3] at times [B, L] in units, ascending.
+
+    watched: the samples, [S] or [B, S] of the L. scored: the frames, [B, T] of them, else all.
+    """
+    views = draw_views(rng, world, times)
+    watched = np.broadcast_to(watched, (len(world), watched.shape[-1]))
+    sample_times = pick(times, watched)
+    own = inputs[0]
+    truth = {own: views.poses3d(world) if own == "3d" else views.poses2d(world)}
+    clean = {own: pick(truth[own], watched)}
+    if isinstance(estimator, Noise):
+        estimates = {own: add_noise(rng, clean[own], sample_times * TIME_UNIT, estimator)}
+    else:
+        other = "2d" if own == "3d" else "3d"
+        clean[other] = pick(views.poses2d(world) if own == "3d" else views.poses3d(world), watched)
+        estimates = estimator.draw(rng, clean["3d"], clean["2d"], sample_times * TIME_UNIT)
+    windows = Windows(
+        estimates=estimates,
+        clean=clean[own],
+        poses=truth[own] if scored is None else pick(truth[own], scored),
+        sample_times=sample_times,
+        frame_times=times if scored is None else pick(times, scored),
     )
+    return normalised(windows, inputs)
+
+
+def pick(values: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """values [B, L, ...] at places [B, N] of the L → [B, N, ...]."""
+    return values[np.arange(len(values))[:, None], places]
 
 
 def training_batch(
     rng: np.random.Generator,
     motions: Motions,
-    dims: int,
+    inputs: tuple[str, ...],
     sparse: bool = False,
     budget: int = 1616,
-    noise: Noise = TRAINING,
+    estimator: Estimator = TRAINING,
+    few: bool = False,
+    grafted: bool = False,
 ) -> Batch:
     """A batch of about `budget` frames in all: short windows come in greater numbers.
 
-    `sparse` leaves out the frames that are not watched, so that T = S, and makes more windows.
+    `sparse` leaves out the frames that are not watched, so that T = S, and makes more windows;
+    `few` scores random frames of each gap, which nets with tokens for the samples need no more.
+    `grafted` gives some people the legs of others.
     """
     interval, intervals = draw_lengths(rng)
     frames = interval * intervals + 1
-    size = MOST_WINDOWS if sparse else int(np.clip(budget // frames, 8, MOST_WINDOWS))
+    size = MOST_WINDOWS if sparse or few else int(np.clip(budget // frames, 8, MOST_WINDOWS))
     times = draw_frame_times(rng, size, frames)
-    watched = keep_samples(rng, interval, intervals)
-    if sparse:
+    watched, scored = keep_samples(rng, interval, intervals), None
+    if few:
+        times, watched, scored = _among(times[:, watched], rng)
+    elif sparse:
         times, watched = times[:, watched], np.arange(len(watched))
     speed = draw_speeds(rng, size)
     recorded = motions.fps * TIME_UNIT
     sequence, first, span = choose(rng, motions, times[:, -1] * recorded * speed)
-    places = first[:, None] + times * (span / times[:, -1])[:, None]
-    world = augment(rng, resample(motions, sequence, places))
-    return build(rng, world, times, watched, dims, noise)
+    backwards = rng.random((size, 1)) < 0.5
+    ahead = np.where(backwards, times[:, -1:] - times, times)
+    places = first[:, None] + ahead * (span / times[:, -1])[:, None]
+    world = resample(motions, sequence, places)
+    world = augment(rng, graft(rng, world) if grafted else world)
+    return build(rng, world, times, watched, inputs, estimator, scored)
+
+
+def _among(
+    sample_times: np.ndarray, rng: np.random.Generator
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Samples [B, S] and random times between them: all in order, places of both in that order."""
+    together = np.concatenate([sample_times, few_places(rng, sample_times, whole=False)], axis=1)
+    order = np.argsort(together, axis=1, kind="stable")
+    ranks = np.argsort(order, axis=1)
+    samples = sample_times.shape[1]
+    return np.take_along_axis(together, order, 1), ranks[:, :samples], ranks[:, samples:]

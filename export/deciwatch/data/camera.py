@@ -44,10 +44,18 @@ class Views:
         return np.stack(pixels, axis=-1).astype(np.float32)
 
 
-def draw_views(rng: np.random.Generator, poses: np.ndarray) -> Views:
-    """Cameras for world landmarks [B, T, 33, 3]: any yaw, 2 to 7 m away, some slowly moving."""
+def draw_views(
+    rng: np.random.Generator, poses: np.ndarray, times: np.ndarray | None = None
+) -> Views:
+    """Cameras for world landmarks [B, T, 33, 3]: any yaw, 2 to 7 m away, some slowly moving.
+
+    times: [B, T] ascending, in any unit; even where not given.
+    """
     batch, frames = poses.shape[:2]
     progress = np.linspace(0.0, 1.0, frames)[None]
+    if times is not None:
+        span = np.maximum(times[:, -1:] - times[:, :1], 1e-9)
+        progress = (times - times[:, :1]) / span
 
     def per_window(low: float, high: float) -> np.ndarray:
         return rng.uniform(low, high, size=(batch, 1))

@@ -26,20 +26,23 @@ def choose(rng: np.random.Generator, motions: Motions, spans: np.ndarray) -> tup
 
 
 def resample(motions: Motions, sequence: np.ndarray, frames: np.ndarray) -> np.ndarray:
-    """Landmarks [B, T, 33, 3] at fractional `frames` [B, T] of sequences [B].
+    """Landmarks [B, T, 33, 3] at fractional `frames` [B, T] of sequences [B]."""
+    first = motions.start[sequence][:, None]
+    last = first + motions.length[sequence][:, None] - 1
+    return between_frames(motions.landmarks, first + frames, first, last)
+
+
+def between_frames(
+    values: np.ndarray, frames: np.ndarray, first: np.ndarray, last: np.ndarray
+) -> np.ndarray:
+    """Values [F, K, D] at fractional `frames` [B, T], none taken outside first to last [B, 1].
 
     Catmull-Rom between the recorded frames: a linear blend would pull fast limbs towards chords.
     """
-    last = motions.length[sequence][:, None] - 1
-    frames = np.clip(frames, 0, last)
-    left = np.minimum(np.floor(frames).astype(np.int64), np.maximum(last - 1, 0))
+    frames = np.clip(frames, first, last)
+    left = np.minimum(np.floor(frames).astype(np.int64), np.maximum(last - 1, first))
     u = (frames - left).astype(np.float32)[..., None, None]
-    start = motions.start[sequence][:, None]
-
-    def at(offset: int) -> np.ndarray:
-        return motions.landmarks[start + np.clip(left + offset, 0, last)]
-
-    p0, p1, p2, p3 = at(-1), at(0), at(1), at(2)
+    p0, p1, p2, p3 = (values[np.clip(left + offset, first, last)] for offset in (-1, 0, 1, 2))
     cubic = 2 * p0 - 5 * p1 + 4 * p2 - p3 + u * (3 * (p1 - p2) + p3 - p0)
     return p1 + 0.5 * u * (p2 - p0 + u * cubic)
 
