@@ -3,7 +3,7 @@
 from torch import Tensor
 
 LAMBDA = 5.0
-LITTLE = 0.004  # net values
+LITTLE = 0.0005  # net values
 
 
 def loss(poses: Tensor, truth: Tensor, clean: Tensor, clean_truth: Tensor, lam: float) -> Tensor:

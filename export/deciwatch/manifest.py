@@ -37,7 +37,7 @@ def describe_net(path: Path) -> dict:
 def describe_pair(config: PairConfig, training: dict, folder: Path) -> dict:
     """The entry of a pair whose files lie in `folder`."""
     nets = {kind: describe_net(folder / file_name(config.dims, kind)) for kind in KINDS}
-    nets["recover"]["tokens"] = config.recover
+    nets["recover"] |= {"tokens": config.recover, "preliminary": config.preliminary}
     return {
         "dims": config.dims,
         "skeleton": skeleton.NAME,

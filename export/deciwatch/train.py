@@ -53,8 +53,12 @@ def run(args: argparse.Namespace) -> int:
         # What had been done before this run began, if it had started from a checkpoint.
         noted = trainer.resume(folder / "last.pt")
         before = {key: noted[key] - count for key, count in trainer.counts().items()}
-    elif args.pairs and not args.start_from:
-        trainer.start_linearly()
+    elif not args.start_from:
+        # Where most of 2D errs little and some of it wildly, least squares follows the latter.
+        if args.pairs and args.dims == 3:
+            trainer.start_linearly()
+        if args.recover_from:
+            trainer.recover_from(Path(args.recover_from))
     for name, validation in validations.items():
         for method, found in validation.baselines.items():
             print(json.dumps({"validation": name, "method": method} | _rounded(found)), flush=True)

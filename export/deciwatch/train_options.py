@@ -49,7 +49,7 @@ def _add_nets(group) -> None:
         default="frames",
         help="what RecoverNet has tokens for (default frames, the paper's)",
     )
-    group.add_argument("--preliminary", choices=("linear", "cubic"), default="cubic")
+    group.add_argument("--preliminary", choices=("linear", "cubic", "spline"), default="cubic")
     group.add_argument("--dropout", type=float, default=0.1)
 
 
@@ -59,6 +59,9 @@ def _add_schedule(group) -> None:
     budget.add_argument("--steps", type=int, help="steps to train for, instead of minutes")
     group.add_argument("--resume", action="store_true", help="go on from runs/NAME/last.pt")
     group.add_argument("--start-from", metavar="FILE", help="begin with a checkpoint's weights")
+    group.add_argument(
+        "--recover-from", metavar="FILE", help="begin with the RecoverNet of a checkpoint"
+    )
     group.add_argument("--lam", type=float, default=5.0, help="λ of equation 6 (default 5)")
     group.add_argument("--rate", type=float, default=1.5e-3, help="highest learning rate")
     group.add_argument("--decay", type=float, default=0.01, help="weight decay (default 0.01)")

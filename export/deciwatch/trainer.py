@@ -159,6 +159,26 @@ class Trainer:
         start_linearly(self.pair, self.make_batch)
         self.averaged.load_state_dict(self.pair.state_dict())
 
+    def recover_from(self, path: Path) -> None:
+        """Begin with the RecoverNet of a checkpoint, whose DenoiseNet may be any.
+
+        Raises UserError if this pair's is made otherwise.
+        """
+        earlier, _ = checkpoint.load_pair(path)
+        try:
+            for net in (self.pair, self.averaged):
+                net.recover.load_state_dict(earlier.recover.state_dict())
+        except RuntimeError:
+            raise UserError(
+                f"{path} holds a RecoverNet of another make; give its --dims, --recover, --width, "
+                f"--blocks and --feed-forward."
+            ) from None
+        adapt = getattr(earlier.recover, "adapt", None)
+        if adapt is not None:  # what it made of the other DenoiseNet's features means nothing here
+            for net in (self.pair, self.averaged):
+                for weight in net.recover.adapt.parameters():
+                    weight.data.zero_()
+
     def start_from(self, path: Path) -> dict:
         """Begin anew with the weights of a checkpoint; returns what it says of its training.
 

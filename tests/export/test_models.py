@@ -63,6 +63,7 @@ def test_the_manifest_describes_the_committed_files(nets):
     assert entry["inputs"] == list(config.inputs)
     assert entry["normalisation"].keys() == set(config.inputs) - {"scores"}
     assert entry["recover"]["tokens"] == config.recover
+    assert entry["recover"].get("preliminary", "cubic") == config.preliminary
     total = 0
     for kind, path in nets.paths.items():
         content = path.read_bytes()

@@ -1,5 +1,6 @@
 """Training goes on exactly from where it stopped, and gets somewhere."""
 
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -19,9 +20,9 @@ from deciwatch.trainer import Recipe, Trainer
 CONFIG = PairConfig(dims=2, width=16, blocks=1)
 
 
-def trainer(motions, steps: int = 4, **options) -> Trainer:
+def trainer(motions, steps: int = 4, config: PairConfig = CONFIG, **options) -> Trainer:
     batch = partial(training_batch, motions=motions, inputs=("2d",), budget=200)
-    return Trainer(CONFIG, Recipe(steps=steps, **options), batch)
+    return Trainer(config, Recipe(steps=steps, **options), batch)
 
 
 def test_two_steps_and_two_steps_are_four_steps(motions, tmp_path):
@@ -80,6 +81,41 @@ def test_a_shared_checkpoint_cannot_be_resumed_but_started_from(motions, tmp_pat
     with pytest.raises(UserError, match="another make"):
         wider.start_from(tmp_path / "shared.pt")
     assert torch.equal(other.pair.denoise.embed.weight, run.averaged.denoise.embed.weight)
+
+
+def test_a_recover_net_is_taken_over_without_what_it_made_of_other_features(motions, tmp_path):
+    config = PairConfig(dims=2, width=16, blocks=1, recover="samples", denoise=False)
+    one = Trainer(config, Recipe(steps=4), Sources(motions, ("2d",), NONE, few=True))
+    for _ in range(3):
+        one.step()
+    one.share(tmp_path / "label.pt", {})
+    other = trainer(motions, config=replace(config, denoise=True))
+    other.recover_from(tmp_path / "label.pt")
+    for net in (other.pair, other.averaged):
+        assert torch.equal(net.recover.decode.weight, one.averaged.recover.decode.weight)
+        assert not net.recover.adapt.weight.any() and one.averaged.recover.adapt.weight.any()
+    with pytest.raises(UserError, match="RecoverNet of another make"):
+        trainer(motions).recover_from(tmp_path / "label.pt")
+
+
+def test_training_begins_with_the_best_linear_correction(motions):
+    """Estimates that are the truth seen crookedly: a matrix and an offset undo that."""
+    generator = np.random.default_rng(2)
+    crooked = np.eye(66) + generator.normal(0, 0.05, (66, 66))
+
+    def make(rng, sparse):
+        batch = training_batch(rng, motions, ("2d",), sparse=sparse, budget=200)
+        values = (batch.clean @ crooked + 0.1).astype(np.float32)
+        return replace(batch, sampled=values)
+
+    run = Trainer(CONFIG, Recipe(steps=4), make)
+    run.start_linearly()
+    batch = make(generator, True)
+    clean = torch.from_numpy(batch.clean)
+    with torch.no_grad():
+        given = torch.from_numpy(batch.sampled), torch.from_numpy(batch.sample_times)
+        got, _ = run.averaged.denoise(*given)
+    assert (got - clean).abs().mean() < 0.1 * (given[0] - clean).abs().mean()
 
 
 def test_damaged_checkpoints_are_named(tmp_path, motions):

@@ -6,31 +6,33 @@ The paper learns one matrix for its one window length; here it is computed, so t
 import torch
 from torch import Tensor
 
-KINDS = ("linear", "cubic")
+KINDS = ("linear", "cubic", "spline")
+SWEEPS = 1  # of Jacobi's iteration towards the spline
 
 
 def preliminary_matrix(sample_times: Tensor, frame_times: Tensor, kind: str) -> Tensor:
     """W_PR [B, T, S] for sample_times [B, S], ascending, and frame_times [B, T].
 
     "linear" joins samples by straight lines. "cubic" is piecewise cubic Hermite with the slope at
-    a sample taken across its two neighbours (one-sided at the ends). Rows sum to one, and both
-    give a motion of constant velocity back exactly. Times beyond the samples count as the nearest
-    one. A single sample is held.
+    a sample taken across its two neighbours (one-sided at the ends). "spline" is the same with
+    slopes near those of the cubic spline: closer on true samples, but it follows noisy ones. Rows
+    sum to one, and all give a motion of constant velocity back exactly. Times beyond the samples
+    count as the nearest one. A single sample is held.
     """
     value, slope = _bases(sample_times, frame_times, kind)
-    return value if slope is None else value + slope @ _slopes(sample_times)
+    return value if slope is None else value + slope @ _slopes(sample_times, kind)
 
 
 def preliminary_recovery(
     clean: Tensor, sample_times: Tensor, frame_times: Tensor, kind: str
 ) -> Tensor:
-    """W_PR · clean, [B, S, K·D] → [B, T, K·D], without building W_PR for "cubic".
+    """W_PR · clean, [B, S, K·D] → [B, T, K·D], without building W_PR.
 
     Slopes are taken of the values instead, which keeps the cost quadratic in S and T.
     """
     value, slope = _bases(sample_times, frame_times, kind)
     held = value @ clean
-    return held if slope is None else held + slope @ (_slopes(sample_times) @ clean)
+    return held if slope is None else held + slope @ (_slopes(sample_times, kind) @ clean)
 
 
 def _gaps(sample_times: Tensor) -> tuple[Tensor, Tensor]:
@@ -52,15 +54,58 @@ def _bases(sample_times: Tensor, frame_times: Tensor, kind: str) -> tuple[Tensor
     away = beyond + before
     if kind == "linear":
         return 1.0 - away, None
-    if kind != "cubic":
+    if kind not in KINDS:
         raise ValueError(f"preliminary recovery {kind!r} is none of {KINDS}")
     value = 1.0 - away * away * (3.0 - 2.0 * away)
     rise = away * (1.0 - away) * (1.0 - away)
     return value, torch.where(after_sample >= 0, right, -left) * rise
 
 
-def _slopes(sample_times: Tensor) -> Tensor:
+def _slopes(sample_times: Tensor, kind: str) -> Tensor:
     """[B, S, S] matrix from values at the samples to slopes at them."""
+    across = _slopes_across(sample_times)
+    return across if kind == "cubic" else _towards_spline(across, sample_times)
+
+
+def _towards_spline(slopes: Tensor, sample_times: Tensor) -> Tensor:
+    """Slopes that go on to the second derivative nearly without a step at the inner samples.
+
+    The spline's own come from a tridiagonal system; sweeps over its rows need no solver in the
+    graph. At the ends the first and last gaps become parabolas.
+    """
+    left, right = (gap.unsqueeze(2) for gap in _gaps(sample_times))
+    index = torch.cumsum(torch.ones_like(sample_times), dim=1).unsqueeze(2)
+    count = index[:, -1:]
+    is_first, is_last = (index == 1.0).to(left.dtype), (index == count).to(left.dtype)
+    inner = (1.0 - is_first) * (1.0 - is_last)
+    own = (index == index.transpose(1, 2)).to(left.dtype)
+    # Rises per unit of time over the gap before and after each sample; 0 where there is none.
+    before = (own - _row_before(own)) / left
+    after = (_row_after(own) - own) / right
+    slopes = (
+        inner * slopes
+        + is_first * (2.0 * after - _row_after(slopes))
+        + is_last * (2.0 * before - _row_before(slopes))
+    ) * (count > 1.0).to(left.dtype)
+    for _ in range(SWEEPS):
+        rest = right * _row_before(slopes) + left * _row_after(slopes)
+        swept = (3.0 * (right * before + left * after) - rest) / (2.0 * (left + right))
+        slopes = slopes + inner * (swept - slopes)
+    return slopes
+
+
+def _row_before(matrix: Tensor) -> Tensor:
+    """[B, S, S] with each row's predecessor in its place, the first row its own."""
+    return torch.cat([matrix[:, :1], matrix[:, :-1]], dim=1)
+
+
+def _row_after(matrix: Tensor) -> Tensor:
+    """[B, S, S] with each row's successor in its place, the last row its own."""
+    return torch.cat([matrix[:, 1:], matrix[:, -1:]], dim=1)
+
+
+def _slopes_across(sample_times: Tensor) -> Tensor:
+    """[B, S, S] matrix to slopes taken across each sample's two neighbours, one-sided at ends."""
     left, right = _gaps(sample_times)
     index = torch.cumsum(torch.ones_like(sample_times), dim=1)
     count = index[:, -1:]

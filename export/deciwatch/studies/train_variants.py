@@ -67,6 +67,7 @@ def _train_and_score(variant: Variant, steps: int, material: Material, test: Sco
     recipe = Recipe(steps, lam=settings.lam, seed=settings.seed)
     trainer = Trainer(settings.config, recipe, material.sources(settings))
     _tell(f"{variant.name}: {steps} steps")
+    trainer.start_linearly()
     while trainer.progress < 1:
         trainer.step()
     path = RUNS / "studies" / f"{variant.name}.pt"
