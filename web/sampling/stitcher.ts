@@ -1,7 +1,7 @@
 import type { SampleWindow } from './windows.ts';
 
 /**
- * The weight of a window's own first and last frame, where inner frames have 1, 2, 3, … from the
+ * The weight of a window's own first and last frame, where inner frames have 1, 4, 9, … from the
  * nearer end. It decides only where no other window covers the frame: at the ends of the clip. At all
  * other ends it is next to nothing, so that there is no jump where a window begins.
  */
@@ -9,7 +9,8 @@ const EDGE_WEIGHT = 1e-3;
 
 /**
  * Joins the poses of overlapping windows: each frame's pose is the mean over the windows that cover
- * it, weighted by how far the frame is from the window's nearer end.
+ * it, weighted by the square of how far the frame is from the window's nearer end, where the nets know only
+ * one side of it.
  */
 export class Stitcher {
   readonly #size: number;
@@ -37,7 +38,7 @@ export class Stitcher {
       );
     }
     for (let t = 0; t < frames; t++) {
-      const weight = Math.min(t, frames - 1 - t) + EDGE_WEIGHT;
+      const weight = Math.min(t, frames - 1 - t) ** 2 + EDGE_WEIGHT;
       const frame = firstFrame + t;
       this.#weights[frame]! += weight;
       for (let i = 0; i < size; i++) {

@@ -7,7 +7,7 @@ import torch
 from torch import Tensor
 
 KINDS = ("linear", "cubic", "spline")
-SWEEPS = 1  # of Jacobi's iteration towards the spline
+SPLINE_SHARE = 0.8  # of the way to a sweep's slopes; lowest error at N = 2 on recorded motion
 
 
 def preliminary_matrix(sample_times: Tensor, frame_times: Tensor, kind: str) -> Tensor:
@@ -68,10 +68,10 @@ def _slopes(sample_times: Tensor, kind: str) -> Tensor:
 
 
 def _towards_spline(slopes: Tensor, sample_times: Tensor) -> Tensor:
-    """Slopes that go on to the second derivative nearly without a step at the inner samples.
+    """Slopes at which the second derivative makes less of a step.
 
-    The spline's own come from a tridiagonal system; sweeps over its rows need no solver in the
-    graph. At the ends the first and last gaps become parabolas.
+    The spline's own, at which it makes none, come from a tridiagonal system; one sweep of Jacobi's
+    iteration over its rows needs no solver in the graph. First and last gap become parabolas.
     """
     left, right = (gap.unsqueeze(2) for gap in _gaps(sample_times))
     index = torch.cumsum(torch.ones_like(sample_times), dim=1).unsqueeze(2)
@@ -82,16 +82,17 @@ def _towards_spline(slopes: Tensor, sample_times: Tensor) -> Tensor:
     # Rises per unit of time over the gap before and after each sample; 0 where there is none.
     before = (own - _row_before(own)) / left
     after = (_row_after(own) - own) / right
-    slopes = (
-        inner * slopes
-        + is_first * (2.0 * after - _row_after(slopes))
-        + is_last * (2.0 * before - _row_before(slopes))
-    ) * (count > 1.0).to(left.dtype)
-    for _ in range(SWEEPS):
-        rest = right * _row_before(slopes) + left * _row_after(slopes)
-        swept = (3.0 * (right * before + left * after) - rest) / (2.0 * (left + right))
-        slopes = slopes + inner * (swept - slopes)
-    return slopes
+
+    def with_ends(slopes: Tensor) -> Tensor:
+        first = is_first * (2.0 * after - _row_after(slopes))
+        last = is_last * (2.0 * before - _row_before(slopes))
+        # One sample alone has no slope at all.
+        return (inner * slopes + first + last) * (count > 1.0).to(left.dtype)
+
+    slopes = with_ends(slopes)
+    rest = right * _row_before(slopes) + left * _row_after(slopes)
+    swept = (3.0 * (right * before + left * after) - rest) / (2.0 * (left + right))
+    return with_ends(slopes + SPLINE_SHARE * (swept - slopes))
 
 
 def _row_before(matrix: Tensor) -> Tensor:

@@ -87,3 +87,8 @@ class OfficialConfig:
     def recover(self) -> str:
         """RecoverNet's tokens are the frames."""
         return "frames"
+
+    @property
+    def preliminary(self) -> str:
+        """Straight lines are what W_PR starts as; evaluation without RecoverNet leaves it there."""
+        return "linear"

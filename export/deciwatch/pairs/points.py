@@ -3,7 +3,7 @@
 A landmark is a bone's head, or a point fixed to a bone. The points that no bone marks (nose, mouth,
 ears, corners of the eyes, heels, tips of the shoes) were first read off the mesh and then moved to
 where MediaPipe's estimates lie on the average, so that a mere difference of definition is not
-counted as an error; OFFSETS has them.
+counted as an error; POINTS has them.
 """
 
 from dataclasses import dataclass

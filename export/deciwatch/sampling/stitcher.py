@@ -4,7 +4,7 @@ import numpy as np
 
 from deciwatch.sampling.windows import Window
 
-# Weight of a window's own first and last frame, where inner frames have 1, 2, 3, … from the nearer
+# Weight of a window's own first and last frame, where inner frames have 1, 4, 9, … from the nearer
 # end: it decides only where no other window covers the frame.
 EDGE_WEIGHT = 1e-3
 
@@ -12,7 +12,8 @@ EDGE_WEIGHT = 1e-3
 class Stitcher:
     """Each frame's pose is the mean over the windows that cover it.
 
-    Windows weigh by how far the frame is from their nearer end. `shape` is that of one pose.
+    Windows weigh by the square of how far the frame is from their nearer end. `shape` is that of
+    one pose.
     """
 
     def __init__(self, frame_count: int, shape: tuple[int, ...]) -> None:
@@ -24,7 +25,7 @@ class Stitcher:
         if poses.shape != (window.frames, *self._sums.shape[1:]):
             raise ValueError(f"poses of shape {poses.shape} do not fit {window}")
         index = np.arange(window.frames)
-        weights = np.minimum(index, index[::-1]) + EDGE_WEIGHT
+        weights = np.minimum(index, index[::-1]) ** 2 + EDGE_WEIGHT
         place = slice(window.first_frame, window.last_frame + 1)
         self._weights[place] += weights
         self._sums[place] += weights.reshape(-1, *[1] * (poses.ndim - 1)) * poses
