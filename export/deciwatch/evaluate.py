@@ -1,6 +1,6 @@
 """`deciwatch evaluate`: the nets against watching every frame and classical interpolation.
 
-On pair files (--pairs), on true poses (--labelling), or on recorded motion with made-up noise.
+On pair files (--pairs), on true poses (--labelling), or on recorded motion with noise added.
 """
 
 import argparse
@@ -47,7 +47,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     motion.add_argument("--data", metavar="DIR", help="motion folder (else $DECIWATCH_DATA)")
     motion.add_argument("--split", choices=("val", "test"), default="test")
     motion.add_argument("--dims", type=int, choices=(2, 3), default=3)
-    motion.add_argument("--noise", choices=("nominal", "none"), default="nominal")
+    motion.add_argument("--noise", choices=("fitted", "nominal", "none"), default="fitted")
 
 
 def run(args: argparse.Namespace) -> int:

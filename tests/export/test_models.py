@@ -81,7 +81,7 @@ def test_the_manifest_describes_the_committed_files(nets):
 def test_the_shipped_pairs_beat_straight_lines_in_validation(name):
     ours = manifest.read(MODELS)["pairs"][name]["training"]["validation"]
     assert ours["deciwatchPosition"] < ours["linearPosition"]
-    assert ours["deciwatchAccel"] < ours["linearAccel"]
+    assert ours["deciwatchAccel"] < ours["everyFrameAccel"] / 4
 
 
 def test_flops_are_those_of_the_architecture(nets):

@@ -1,4 +1,4 @@
-"""`deciwatch evaluate` without pairs: recorded motion with made-up estimator noise, in windows."""
+"""`deciwatch evaluate` without pairs: recorded motion, an estimator's noise added, in windows."""
 
 import argparse
 import json
@@ -9,7 +9,8 @@ import numpy as np
 
 from deciwatch.atomic import write_text
 from deciwatch.data.camera import draw_views
-from deciwatch.data.noise import NOMINAL, NONE, Noise, add_noise
+from deciwatch.data.noise import NOMINAL, NONE, add_noise
+from deciwatch.data.noise_file import load_noise
 from deciwatch.data.windows import slices
 from deciwatch.errors import UserError
 from deciwatch.evaluation.options import intervals_of
@@ -20,7 +21,7 @@ from deciwatch.metrics import accel, mpjpe, pck
 from deciwatch.motion.load import load_motions
 from deciwatch.motion.motions import Motions
 from deciwatch.normalise import Samples
-from deciwatch.paths import data_directory
+from deciwatch.paths import CHECKPOINTS, data_directory
 from deciwatch.runner import Nets, onnx_nets, recover_window, torch_nets
 
 SEED = 11
@@ -32,14 +33,15 @@ def run(args: argparse.Namespace) -> int:
     intervals = intervals_of(args.every, (INTERVAL,))
     if len(intervals) > 1:
         raise UserError(f"--every {args.every} needs --pairs or --labelling; give one interval.")
-    every, noise = intervals[0], NOMINAL if args.noise == "nominal" else NONE
+    every = intervals[0]
     directory = data_directory(args.data)
     if args.checkpoint:
         nets = torch_nets(Path(args.checkpoint), args.dims)
     else:
         nets = onnx_nets(Path(args.models), args.dims)
     motions = load_motions(directory, args.split)
-    truth, estimates = _windows(motions, every, args.window, args.dims, noise)
+    truths, estimates = _windows(motions, every, args.window, args.noise)
+    truth = truths[f"{args.dims}d"]
     if not len(truth):
         raise UserError(f"No {args.split} sequence fills a window; lower --every or --window.")
     watched = np.arange(args.window + 1) * every
@@ -62,27 +64,35 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _windows(
-    motions: Motions, interval: int, intervals: int, dims: int, noise: Noise
-) -> tuple[np.ndarray, dict[int, np.ndarray]]:
-    """True poses [B, T, 33, D] of every window, and estimates of both D, seeded."""
+    motions: Motions, interval: int, intervals: int, noise: str
+) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray]]:
+    """True poses [B, T, 33, D] of every window by "3d" and "2d", and estimates of them, seeded.
+
+    Beside those two, the estimates have "scores" [B, T, 33].
+    """
     frames = np.arange(interval * intervals + 1)
     places = slices(motions, interval, intervals)
     if not places:
-        return np.zeros((0, len(frames), 33, dims)), {}
+        return {name: np.zeros((0, len(frames), 33, d)) for name, d in (("3d", 3), ("2d", 2))}, {}
     world = np.stack([motions.sequence(index)[first + frames] for index, first in places])
     rng = np.random.default_rng(SEED)
     views = draw_views(rng, world)
-    truths = {3: views.poses3d(world), 2: views.poses2d(world)}
-    times = np.broadcast_to(frames / motions.fps, truths[3].shape[:2])
-    own_first = (dims, 5 - dims)
-    return truths[dims], {d: add_noise(rng, truths[d], times, noise) for d in own_first}
+    truths = {"3d": views.poses3d(world), "2d": views.poses2d(world)}
+    times = np.broadcast_to(frames / motions.fps, truths["3d"].shape[:2])
+    if noise == "fitted":
+        model = load_noise(CHECKPOINTS / "noise.npz")
+        return truths, model.draw(rng, truths["3d"], truths["2d"], times, severity=(1.0, 1.0))
+    made = NOMINAL if noise == "nominal" else NONE
+    estimates = {name: add_noise(rng, poses, times, made) for name, poses in truths.items()}
+    # Such noise says nothing of how sure it is.
+    return truths, estimates | {"scores": np.ones(truths["3d"].shape[:3], np.float32)}
 
 
 def _recovered(
-    nets: Nets, estimates: dict[int, np.ndarray], watched: np.ndarray, fps: float
+    nets: Nets, estimates: dict[str, np.ndarray], watched: np.ndarray, fps: float
 ) -> Iterator[tuple[str, np.ndarray]]:
     """Each method's name and its poses [B, T, 33, D]; all but the first see `watched` alone."""
-    own = estimates[nets.dims]
+    own = estimates[f"{nets.dims}d"]
     batch, frames = own.shape[:2]
     seconds = np.arange(frames) / fps
     yield "every_frame", own
@@ -91,12 +101,8 @@ def _recovered(
         columns = own[:, watched].transpose(1, 0, 2, 3).reshape(len(watched), -1)
         filled = interpolate(seconds[watched], columns, seconds, method)
         yield method, filled.reshape(frames, batch, *own.shape[2:]).transpose(1, 0, 2, 3)
-    # Made-up noise says nothing of how sure it is.
-    sure = np.ones((len(watched), own.shape[2]), np.float32)
-    windows = (
-        Samples(three, two, sure)
-        for three, two in zip(estimates[3][:, watched], estimates[2][:, watched], strict=True)
-    )
+    seen = (estimates[name][:, watched] for name in ("3d", "2d", "scores"))
+    windows = (Samples(*window) for window in zip(*seen, strict=True))
     yield (
         "deciwatch",
         np.stack([recover_window(nets, x, seconds[watched], seconds).poses for x in windows]),

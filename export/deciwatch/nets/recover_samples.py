@@ -175,4 +175,6 @@ def fading(u: Tensor, gap: Tensor) -> Tensor:
     # 0.4 % further off.
     learnable = torch.clamp((gap - SHORTEST) / SHORTEST, 0.0, 1.0)
     size = relative * torch.sqrt(torch.clamp(relative, max=1.0)) * learnable
-    return 4 * u * (1 - u) * size
+    # Flat at the samples, so that one gap goes over into the next without a kink.
+    bump = 4 * u * (1 - u)
+    return bump * bump * size
