@@ -12,7 +12,7 @@ PAIRS = " ".join(f"runs/pairs/test-{name}.npz" for name in ("full", "lite", "hea
 COMMANDS = {
     "pairs": f"{RUN} evaluate --pairs {PAIRS} --json docs/results/pairs.json",
     "labelling": f"{RUN} evaluate --labelling --json docs/results/labelling.json",
-    "variants": f"{RUN} study train",
+    "variants": f"{RUN} study train --steps 1200",
     "sampling": f"{RUN} study sampling",
     "window": f"{RUN} study window",
 }
