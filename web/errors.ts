@@ -8,6 +8,11 @@ export type DeciWatchErrorCode =
   | 'model-missing'
   | 'model-mismatch'
   | 'nobody-in-view'
+  | 'camera-refused'
+  | 'camera-missing'
+  | 'camera-busy'
+  | 'camera-insecure'
+  | 'camera-lost'
   | 'browser-unsupported'
   | 'pose-file-invalid'
   | 'engine-crashed';

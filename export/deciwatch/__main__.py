@@ -9,6 +9,10 @@ from deciwatch.errors import UserError
 # Modules are imported only when their command is asked for: torch alone takes seconds.
 COMMANDS: dict[str, tuple[str, str]] = {
     "train": ("deciwatch.train", "train a pair of nets on recorded motion"),
+    "train-forecast": (
+        "deciwatch.train_forecast",
+        "train the net that live playback looks ahead with",
+    ),
     "export": ("deciwatch.export", "write a pair as ONNX files and a manifest"),
     "import-official": ("deciwatch.official.command", "run a checkpoint of DeciWatch's authors"),
     "evaluate": ("deciwatch.evaluate", "score the nets, interpolations and filters"),

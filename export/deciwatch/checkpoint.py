@@ -1,5 +1,6 @@
 """Checkpoints: a pair's weights and configuration, and, while training, all it takes to go on."""
 
+import hashlib
 import io
 from pathlib import Path
 from typing import Any
@@ -8,10 +9,16 @@ import torch
 
 from deciwatch.atomic import write_bytes
 from deciwatch.errors import UserError
+from deciwatch.nets.forecast import ForecastConfig, ForecastNet
 from deciwatch.nets.pair import Pair, PairConfig
 from deciwatch.paths import CHECKPOINTS
 
-FORMAT = "deciwatch-checkpoint/1"
+# What a checkpoint's nets are built from, and how such a file calls itself.
+FORMATS: dict[type, str] = {
+    PairConfig: "deciwatch-checkpoint/1",
+    ForecastConfig: "deciwatch-forecast/1",
+}
+Config = PairConfig | ForecastConfig
 
 
 def default_path(dims: int) -> Path:
@@ -19,19 +26,24 @@ def default_path(dims: int) -> Path:
     return CHECKPOINTS / f"{dims}d.pt"
 
 
+def forecast_path(dims: int) -> Path:
+    """The committed checkpoint of a representation's ForecastNet."""
+    return CHECKPOINTS / f"{dims}d-forecast.pt"
+
+
 def save(
-    path: Path, config: PairConfig, weights: dict, training: dict, state: dict | None = None
+    path: Path, config: Config, weights: dict, training: dict, state: dict | None = None
 ) -> None:
     """Write a checkpoint atomically. `state` is the trainer's own and is left out when sharing."""
-    content = {"format": FORMAT, "config": config.as_dict(), "weights": weights}
+    content = {"format": FORMATS[type(config)], "config": config.as_dict(), "weights": weights}
     content |= {"training": training} | ({} if state is None else {"state": state})
     buffer = io.BytesIO()
     torch.save(content, buffer)
     write_bytes(Path(path), buffer.getvalue())
 
 
-def load(path: Path) -> dict[str, Any]:
-    """Read a checkpoint: config (PairConfig), weights, training, perhaps state.
+def load(path: Path, kind: type = PairConfig) -> dict[str, Any]:
+    """Read a checkpoint: config (of `kind`), weights, training, perhaps state.
 
     Raises UserError if it is missing, damaged, or not one of ours. Only tensors and plain values
     are unpickled, so a foreign file cannot run code.
@@ -41,9 +53,9 @@ def load(path: Path) -> dict[str, Any]:
         raise UserError(f"There is no checkpoint at {path}; train one, or name it by --checkpoint.")
     try:
         content = torch.load(path, map_location="cpu", weights_only=True)
-        if content["format"] != FORMAT:
+        if content["format"] != FORMATS[kind]:
             raise ValueError(f"its format is {content['format']!r}")
-        content["config"] = PairConfig(**content["config"])
+        content["config"] = kind(**content["config"])
         if not {"weights", "training"} <= content.keys():
             raise ValueError("parts of it are missing")
     except Exception as error:
@@ -71,3 +83,32 @@ def load_pair(path: Path, dims: int | None = None) -> tuple[Pair, dict[str, Any]
             f"The weights in {path} do not fit its own configuration; train or fetch it again."
         ) from error
     return pair.eval(), content
+
+
+def load_forecast(path: Path, dims: int | None = None) -> tuple[ForecastNet, dict[str, Any]]:
+    """The ForecastNet of a checkpoint, in evaluation mode, and the checkpoint.
+
+    Raises UserError as `load_pair` does.
+    """
+    content = load(path, ForecastConfig)
+    config: ForecastConfig = content["config"]
+    if dims is not None and config.dims != dims:
+        raise UserError(f"{path} holds a {config.dims}D ForecastNet; name a {dims}D one.")
+    net = ForecastNet(config)
+    try:
+        net.load_state_dict(content["weights"])
+    except RuntimeError as error:
+        raise UserError(
+            f"The weights in {path} do not fit its own configuration; train or fetch it again."
+        ) from error
+    return net.eval(), content
+
+
+def digest(path: Path) -> str:
+    """What tells one pair's weights from another's: a hash of them, 16 hexadecimal digits."""
+    weights = load(path)["weights"]
+    found = hashlib.sha256()
+    for name in sorted(weights):
+        found.update(name.encode())
+        found.update(weights[name].cpu().numpy().tobytes())
+    return found.hexdigest()[:16]

@@ -19,6 +19,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--labelling", action="store_true", help="recover recorded motion from true sparse poses"
     )
     parser.add_argument(
+        "--live", action="store_true", help="with --pairs: as it is shown live, against its delay"
+    )
+    parser.add_argument(
+        "--late",
+        type=int,
+        default=3,
+        metavar="FRAMES",
+        help="with --live: from a look to its answer (default 3, a tenth of a second)",
+    )
+    parser.add_argument(
         "--every",
         metavar="LIST",
         help="intervals, 1 to 20, such as 1,3,10 (default: 1,3,5,7,10,15,20 for pairs, "
@@ -61,8 +71,12 @@ def run(args: argparse.Namespace) -> int:
         raise UserError(f"--window {args.window} is out of range; the nets know {low} to {high}.")
     if args.pairs and args.checkpoint:
         raise UserError("With --pairs, name checkpoints by --checkpoint-3d and --checkpoint-2d.")
+    if args.live and not args.pairs:
+        raise UserError("--live plays pair files back; name them by --pairs.")
     torch.set_num_threads(1)
-    if args.pairs:
+    if args.live:
+        from deciwatch.evaluation import live as kind
+    elif args.pairs:
         from deciwatch.evaluation import score_pairs as kind
     elif args.labelling:
         from deciwatch.evaluation import labelling as kind

@@ -3,8 +3,12 @@
 import argparse
 import tempfile
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from deciwatch.paths import MODELS
+
+if TYPE_CHECKING:
+    from deciwatch.nets.forecast import ForecastNet
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -14,6 +18,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--keep", action="store_true", help="also make its weights the committed checkpoint"
     )
+    parser.add_argument(
+        "--forecast", metavar="FILE", help="its ForecastNet (default: the committed one if it fits)"
+    )
     parser.add_argument("--out", metavar="DIR", default=str(MODELS))
 
 
@@ -22,12 +29,23 @@ def run(args: argparse.Namespace) -> int:
     from deciwatch import checkpoint, manifest
     from deciwatch.atomic import write_bytes
     from deciwatch.errors import UserError
-    from deciwatch.onnx_export import TOLERANCE, convert, largest_difference
+    from deciwatch.onnx_export import (
+        TOLERANCE,
+        convert,
+        convert_forecast,
+        forecast_difference,
+        largest_difference,
+    )
 
     path = Path(args.checkpoint or checkpoint.default_path(args.dims))
     pair, content = checkpoint.load_pair(path, args.dims)
+    forecast = _forecast(args, path)
     graphs = convert(pair)
     worst = largest_difference(pair, graphs)
+    if forecast:
+        net = forecast[0]
+        graphs[manifest.FORECAST] = convert_forecast(net)
+        worst = max(worst, forecast_difference(net, graphs[manifest.FORECAST]))
     if not worst <= TOLERANCE:
         raise UserError(
             f"The exported graphs of {path} differ from torch by {worst:.1e}, "
@@ -39,6 +57,9 @@ def run(args: argparse.Namespace) -> int:
         for kind, graph in graphs.items():
             write_bytes(drafts / manifest.file_name(args.dims, kind), graph)
         entry = manifest.describe_pair(pair.config, _in_camel_case(content["training"]), drafts)
+        if forecast:
+            training = _in_camel_case(forecast[1]["training"])
+            entry[manifest.FORECAST] = manifest.describe_forecast(training, drafts, args.dims)
     trained = sum(weight.numel() for weight in pair.parameters())
     counted = entry["denoise"]["parameters"] + entry["recover"]["parameters"]
     if trained != counted:
@@ -50,8 +71,33 @@ def run(args: argparse.Namespace) -> int:
     if args.keep:
         kept = checkpoint.default_path(args.dims)
         checkpoint.save(kept, pair.config, content["weights"], content["training"])
+        if forecast:
+            kept = checkpoint.forecast_path(args.dims)
+            net, content = forecast
+            checkpoint.save(kept, net.config, content["weights"], content["training"])
     print(f"{args.dims}D nets in {folder}, within {worst:.1e} of torch")
     return 0
+
+
+def _forecast(args: argparse.Namespace, path: Path) -> "tuple[ForecastNet, dict] | None":
+    """The ForecastNet that was trained on this pair, and its checkpoint. Raises UserError.
+
+    None where none is named and the committed one was trained on another.
+    """
+    from deciwatch import checkpoint
+    from deciwatch.errors import UserError
+
+    committed = checkpoint.forecast_path(args.dims)
+    if not args.forecast and not committed.is_file():
+        return None
+    net, content = checkpoint.load_forecast(Path(args.forecast or committed), args.dims)
+    if content["training"]["pair"] == checkpoint.digest(path):
+        return net, content
+    words = f"was trained on another pair than {path}; run `deciwatch train-forecast`"
+    if args.forecast:
+        raise UserError(f"{args.forecast} {words}.")
+    print(f"{committed} {words}: live playback goes without looking ahead.")
+    return None
 
 
 def _in_camel_case(training: dict) -> dict:

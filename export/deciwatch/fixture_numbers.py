@@ -8,6 +8,8 @@ import numpy as np
 from scipy.interpolate import interp1d
 from scipy.spatial.distance import cdist
 
+from deciwatch.live.easing import EASE_SECONDS
+
 
 def _list(values: np.ndarray, digits: int = 9) -> list:
     return np.round(np.asarray(values, float), digits).tolist()
@@ -101,3 +103,11 @@ def metric_cases(seed: int) -> dict:
             }
         cases.append(case)
     return {"cases": cases}
+
+
+def easing_cases() -> dict:
+    """1 − smootherstep, 6x⁵ − 15x⁴ + 10x³ (K. Perlin, "Improving Noise", 2002)."""
+    ages = np.linspace(-0.05, 1.5, 32) * EASE_SECONDS
+    x = np.clip(ages / EASE_SECONDS, 0.0, 1.0)
+    shares = 1 - np.polyval([6, -15, 10, 0, 0, 0], x)
+    return {"seconds": EASE_SECONDS, "ages": ages.tolist(), "shares": shares.tolist()}

@@ -22,7 +22,12 @@ def run(args: argparse.Namespace) -> int:
     from deciwatch.atomic import write_text
     from deciwatch.checkpoint import default_path
     from deciwatch.fixture_inputs import input_cases, write_models
-    from deciwatch.fixture_numbers import interpolation_cases, metric_cases, normalise_cases
+    from deciwatch.fixture_numbers import (
+        easing_cases,
+        interpolation_cases,
+        metric_cases,
+        normalise_cases,
+    )
     from deciwatch.fixture_parity import flops_cases, parity_cases
     from deciwatch.fixture_stitching import stitching_cases
     from deciwatch.official.fixture import write_official
@@ -35,6 +40,7 @@ def run(args: argparse.Namespace) -> int:
         "stitching.json": stitching_cases(SEED),
         "flops.json": flops_cases(Path(args.models)),
         "inputs.json": input_cases(SEED),
+        "easing.json": easing_cases(),
     }
     for dims, given in ((3, args.checkpoint_3d), (2, args.checkpoint_2d)):
         path = Path(given) if given else default_path(dims)

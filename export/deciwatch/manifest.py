@@ -14,6 +14,7 @@ from deciwatch.normalise import SCALE_3D
 
 FORMAT = "deciwatch-models/2"
 KINDS = ("denoise", "recover")
+FORECAST = "forecast"
 NORMALISATION = {"3d": {"kind": "scale", "scale": SCALE_3D}, "2d": {"kind": "window-box"}}
 
 
@@ -54,6 +55,11 @@ def describe_pair(config: PairConfig, training: dict, folder: Path) -> dict:
         **nets,
         "training": training,
     }
+
+
+def describe_forecast(training: dict, folder: Path, dims: int) -> dict:
+    """The entry, within its pair's, of a ForecastNet whose file lies in `folder`."""
+    return describe_net(folder / file_name(dims, FORECAST)) | {"training": training}
 
 
 def read(folder: Path) -> dict:

@@ -13,6 +13,7 @@ import onnxruntime
 import torch
 from torch import nn
 
+from deciwatch.nets.forecast import ForecastNet
 from deciwatch.nets.pair import Pair
 
 OPSET = 18
@@ -90,6 +91,40 @@ def convert(pair: Pair) -> dict[str, bytes]:
             pair.recover, "recover", (clean, features, sample_times, frame_times), dims
         ),
     }
+
+
+def convert_forecast(net: ForecastNet) -> bytes:
+    """A ForecastNet as a graph: float32, batch 1, any S and T."""
+    arrays = forecast_example(net, 5, 13, seed=0)
+    count, frames = torch.export.Dim("S", min=2), torch.export.Dim("T", min=2)
+    dims = {name: {1: count} for name in ("clean", "features", "sample_times")}
+    return _convert(net.eval(), "recover", arrays, dims | {"frame_times": {1: frames}})
+
+
+def forecast_example(net: ForecastNet, samples: int, frames: int, seed: int) -> tuple:
+    """Random clean [1, S, K·D], features [1, S, C], sample_times [1, S], frame_times [1, T]."""
+    rng = np.random.default_rng(seed)
+    times = np.cumsum(rng.uniform(1.0, 12.0, size=samples))
+    ahead = times[-1] + np.cumsum(rng.uniform(0.0, 2.0, size=frames))
+    arrays = (
+        0.5 * rng.standard_normal((1, samples, net.config.values)),
+        rng.standard_normal((1, samples, net.config.features)),
+        times[None] - times[0],
+        ahead[None] - times[0],
+    )
+    return tuple(torch.from_numpy(array.astype(np.float32)) for array in arrays)
+
+
+@torch.no_grad()
+def forecast_difference(net: ForecastNet, graph: bytes) -> float:
+    """Largest difference of the graph's poses from torch's."""
+    run, worst = session(graph), 0.0
+    for seed, (samples, frames) in enumerate(((2, 1), (2, 14), (7, 3), (11, 30))):
+        arrays = forecast_example(net, samples, frames, seed)
+        names = NAMES["recover"][0]
+        got = run.run(None, {x: a.numpy() for x, a in zip(names, arrays, strict=True)})[0]
+        worst = max(worst, float(np.abs(got - net(*arrays).numpy()).max()))
+    return worst
 
 
 def session(model: bytes | Path) -> onnxruntime.InferenceSession:

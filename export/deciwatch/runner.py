@@ -28,6 +28,8 @@ class Nets:
     inputs: tuple[str, ...]
     denoise: Denoise
     recover: Recover
+    # As recover, at times from the last sample on; None where there is no ForecastNet.
+    forecast: Recover | None = None
 
     def run(
         self, sampled: np.ndarray, sample_times: np.ndarray, frame_times: np.ndarray
@@ -72,6 +74,8 @@ def onnx_nets(folder: Path, dims: int) -> Nets:
     try:
         inputs = tuple(pairs[name]["inputs"])
         graphs = {kind: session(folder / pairs[name][kind]["file"]) for kind in NAMES}
+        if ahead := pairs[name].get(manifest.FORECAST):
+            graphs[manifest.FORECAST] = session(folder / ahead["file"])
     except Exception as error:
         reason = " ".join(str(error).split())[:120]
         raise UserError(
@@ -79,13 +83,17 @@ def onnx_nets(folder: Path, dims: int) -> Nets:
         ) from error
 
     def run(kind: str, *arrays: np.ndarray) -> list[np.ndarray]:
-        return graphs[kind].run(None, dict(zip(NAMES[kind][0], arrays, strict=True)))
+        names = NAMES["denoise" if kind == "denoise" else "recover"][0]
+        return graphs[kind].run(None, dict(zip(names, arrays, strict=True)))
 
     return Nets(
         dims,
         inputs,
         denoise=lambda *arrays: tuple(run("denoise", *arrays)),
         recover=lambda *arrays: run("recover", *arrays)[0],
+        forecast=(lambda *arrays: run(manifest.FORECAST, *arrays)[0])
+        if manifest.FORECAST in graphs
+        else None,
     )
 
 

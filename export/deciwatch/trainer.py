@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import torch
+from torch import Tensor, nn
 
 from deciwatch import checkpoint
 from deciwatch.data.batch import Batch
@@ -51,13 +52,17 @@ class Trainer:
         torch.manual_seed(recipe.seed)
         self.rng = np.random.default_rng(recipe.seed)
         self.config, self.recipe, self.make_batch = config, recipe, make_batch
-        self.pair = Pair(config)
+        self.pair = self._build()
         self.averaged = copy.deepcopy(self.pair).eval().requires_grad_(False)
         self.optimiser = torch.optim.AdamW(
             self.pair.parameters(), lr=recipe.rate, weight_decay=recipe.decay
         )
         self.done, self.windows, self.seconds = 0, 0, 0.0
         self.best: float | None = None  # lowest validation error yet
+
+    def _build(self) -> nn.Module:
+        """The nets to train."""
+        return Pair(self.config)
 
     @property
     def progress(self) -> float:
@@ -80,15 +85,30 @@ class Trainer:
     def step(self) -> float:
         """One batch; returns its loss. Raises FloatingPointError if that is not finite."""
         begun = time.monotonic()
+        self.pair.train()
+        for group in self.optimiser.param_groups:
+            group["lr"] = self.rate()
+        value, windows = self._draw()
+        if not torch.isfinite(value):
+            raise FloatingPointError(f"the loss of step {self.done} is not finite")
+        self.optimiser.zero_grad()
+        value.backward()
+        torch.nn.utils.clip_grad_norm_(self.pair.parameters(), self.recipe.clip)
+        self.optimiser.step()
+        self._average()
+        self.done += 1
+        self.windows += windows
+        self.seconds += time.monotonic() - begun
+        return value.item()
+
+    def _draw(self) -> tuple[Tensor, int]:
+        """The loss of a new batch, and of how many windows that is."""
         sparse = self.config.denoise and self.progress < self.recipe.denoise_first
         batch = self.make_batch(self.rng, sparse=sparse)
         sampled, clean, poses, sample_times, frame_times = map(
             torch.from_numpy,
             (batch.sampled, batch.clean, batch.poses, batch.sample_times, batch.frame_times),
         )
-        self.pair.train()
-        for group in self.optimiser.param_groups:
-            group["lr"] = self.rate()
         if sparse:
             value = (self.pair.denoise(sampled, sample_times)[0] - clean).abs().mean()
         elif not self.config.denoise:
@@ -99,17 +119,7 @@ class Trainer:
         else:
             got_clean, got_poses = self.pair(sampled, sample_times, frame_times)
             value = loss(got_poses, poses, got_clean, clean, self.recipe.lam)
-        if not torch.isfinite(value):
-            raise FloatingPointError(f"the loss of step {self.done} is not finite")
-        self.optimiser.zero_grad()
-        value.backward()
-        torch.nn.utils.clip_grad_norm_(self.pair.parameters(), self.recipe.clip)
-        self.optimiser.step()
-        self._average()
-        self.done += 1
-        self.windows += len(poses)
-        self.seconds += time.monotonic() - begun
-        return value.item()
+        return value, len(poses)
 
     @torch.no_grad()
     def _average(self) -> None:
@@ -139,7 +149,7 @@ class Trainer:
 
         Raises UserError if it is not one.
         """
-        content = checkpoint.load(path)
+        content = checkpoint.load(path, type(self.config))
         state = content.get("state")
         if state is None or content["config"] != self.config:
             raise UserError(

@@ -6,7 +6,7 @@ export const appStyles = css`
   .stack { display: grid; gap: 0.875rem; grid-template-columns: minmax(0, 1fr); }
   .viewer { overflow: hidden; container-type: inline-size; }
   .panes { position: relative; display: grid; grid-template-columns: minmax(0, 1fr); }
-  dw-clip-view { aspect-ratio: var(--aspect); width: 100%; max-height: 56vh; }
+  dw-clip-view, dw-live-view { aspect-ratio: var(--aspect); width: 100%; max-height: 56vh; }
   dw-stage-view { height: clamp(17rem, 38vh, 26rem); }
   .pane { position: relative; }
   .pane:first-child { background: var(--video); }
@@ -22,9 +22,14 @@ export const appStyles = css`
     /* As wide and as high as the picture asks for, within what leaves the 3D view enough. */
     .panes > * { --height: clamp(22rem, 66cqw / var(--aspect), max(22rem, 47vh)); }
     .panes { grid-template-columns: clamp(36%, max(22rem, 47vh) * var(--aspect), 66%) minmax(0, 1fr); }
-    dw-clip-view, dw-stage-view { aspect-ratio: auto; max-height: none; height: var(--height); }
+    dw-clip-view, dw-live-view, dw-stage-view { aspect-ratio: auto; max-height: none; height: var(--height); }
     .lower { grid-template-columns: minmax(17rem, 22rem) minmax(0, 1fr); }
   }
+
+  .live-state { display: flex; align-items: baseline; gap: 0.625rem; font-size: 0.9375rem; min-height: 1.5rem; }
+  .live-state i { flex: none; width: 0.625rem; height: 0.625rem; border-radius: 50%; background: var(--line-strong); }
+  .live-state i.following { background: var(--accent); }
+  .live-state i.red { background: var(--danger); }
 
   .notices { display: grid; gap: 0.5rem; }
   .notices:not(:has(.notice)) { position: absolute; }

@@ -11,11 +11,14 @@ import { sharedStyles } from './styles.ts';
  * @fires files with the chosen files as detail
  * @fires save
  * @fires help
+ * @fires camera
  */
 @customElement('dw-clip-bar')
 export class ClipBar extends LitElement {
   @property() name = '';
   @property({ attribute: false }) info: ClipInfo | null = null;
+  /** The camera is on: there is no clip to save. */
+  @property({ type: Boolean }) live = false;
   @query('input') private input!: HTMLInputElement;
 
   static override styles = [
@@ -54,14 +57,15 @@ export class ClipBar extends LitElement {
       </div>
       <div class="buttons">
         <button class="bare" aria-label="Keys" title="Keys (?)" @click=${() => this.tell('help')}>${icon('keyboard')}</button>
-        <button data-testid="save" ?disabled=${!info} @click=${() => this.tell('save')}>${icon('save')}Save poses</button>
+        <button data-testid="save" ?disabled=${!info || this.live} @click=${() => this.tell('save')}>${icon('save')}Save poses</button>
+        <button data-testid="start-camera" ?disabled=${this.live} @click=${() => this.tell('camera')}>${icon('camera')}Use camera</button>
         <button class="primary" @click=${() => this.choose()}>${icon('open')}Open a video</button>
         <input data-testid="open-file" type="file" accept="video/*,.mkv" hidden @change=${this.chosen} />
       </div>
     `;
   }
 
-  private tell(type: 'save' | 'help'): void {
+  private tell(type: 'save' | 'help' | 'camera'): void {
     this.dispatchEvent(new CustomEvent(type));
   }
 

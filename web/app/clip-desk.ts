@@ -11,6 +11,9 @@ import { DEFAULT_SETTINGS, type Settings } from './settings.ts';
 /** Long enough for a slider to come to rest. */
 const SETTLE_MS = 350;
 
+const BLANK =
+  'This recording has no picture, so that it cannot be watched again with other settings: record the picture too.';
+
 /** A video with an address that the `<video>` can play. Whoever drops it revokes the address. */
 export interface OpenFile extends ClipFile {
   readonly url: string;
@@ -113,12 +116,43 @@ export class ClipDesk implements ReactiveController {
     if (file) this.#open({ blob: file, name: file.name });
   }
 
+  /** Shows a clip whose poses are there already: a recording. */
+  showRecording(clip: ClipFile, recovered: RecoveredClip, settings: Settings): void {
+    this.#cancelJob();
+    this.#settings = settings;
+    const file: OpenFile = { ...clip, url: URL.createObjectURL(clip.blob) };
+    this.#finish(file, recovered);
+  }
+
+  /** Takes settings over without working on anything. */
+  adopt(settings: Settings): void {
+    this.#settings = settings;
+    this.#host.requestUpdate();
+  }
+
+  /** Something else is on the page now: stops work and playback, keeps what is there. */
+  rest(): void {
+    const file = this.#cancelJob();
+    this.#player.pause();
+    if (file) this.#forget(file);
+  }
+
+  /** What somebody should know. */
+  say(words: { error?: string; note?: string; status?: string }): void {
+    this.#say(words);
+  }
+
   /** Recovers the open video with other settings, once they have come to rest. */
   change(settings: Settings): void {
     this.#settings = settings;
     this.#host.requestUpdate();
     const file = this.#work.job?.file ?? this.#shown?.file;
     if (!file || this.waiting) return;
+    if (file.blank) {
+      this.#settings = this.#shown?.result?.settings ?? settings;
+      this.#say({ note: BLANK });
+      return;
+    }
     this.#say({ error: '' });
     this.#begin(file, SETTLE_MS);
   }

@@ -8,7 +8,7 @@ export interface CostHeadline {
 }
 
 /** Says what the clip cost against watching every frame, also where it cost more. */
-export function costHeadline({ flopsRatio }: CostReport): CostHeadline {
+export function costHeadline({ flopsRatio }: Pick<CostReport, 'flopsRatio'>): CostHeadline {
   const figure = formatPercent(flopsRatio);
   if (flopsRatio >= 1) {
     return {

@@ -1,5 +1,6 @@
 import { html, LitElement, nothing, type PropertyValues } from 'lit';
 import { customElement, query, state } from 'lit/decorators.js';
+import type { LiveSession, LiveView as Moment } from '../engine/live/types.ts';
 import { appStyles } from './app-styles.ts';
 import './clip-bar.ts';
 import type { ClipBar } from './clip-bar.ts';
@@ -9,6 +10,13 @@ import type { ClipView } from './clip-view.ts';
 import './cost-panel.ts';
 import { FileDrop } from './file-drop.ts';
 import { icon } from './icons.ts';
+import './live/live-bar.ts';
+import type { LiveAction } from './live/live-bar.ts';
+import './live/live-cost-panel.ts';
+import { type LiveChoices, LiveDesk } from './live/live-desk.ts';
+import './live/live-view.ts';
+import type { LiveView, ShownFrame } from './live/live-view.ts';
+import { liveWords, loadWords } from './live/live-words.ts';
 import { pageState } from './page-state.ts';
 import type { PlaybackState } from './playback.ts';
 import './progress-card.ts';
@@ -18,6 +26,7 @@ import { keyTargetOf, type ShortcutAction, shortcutFor } from './shortcuts.ts';
 import './shortcuts-dialog.ts';
 import type { ShortcutsDialog } from './shortcuts-dialog.ts';
 import './stage-view.ts';
+import type { StageView } from './stage-view.ts';
 import { sharedStyles } from './styles.ts';
 import './timeline.ts';
 import './transport-bar.ts';
@@ -33,20 +42,33 @@ export class DeciWatchApp extends LitElement {
   /** Width by height of the video. */
   @state() private aspect = 16 / 9;
   @state() private keysOn = true;
-  @query('dw-clip-view') private view!: ClipView;
+  @query('dw-clip-view') private view!: ClipView | null;
+  @query('dw-live-view') private liveView!: LiveView | null;
+  @query('dw-stage-view') private stage!: StageView | null;
   @query('dw-clip-bar') private bar!: ClipBar;
   @query('dw-shortcuts-dialog') private keys!: ShortcutsDialog;
   private readonly desk = new ClipDesk(this, {
     isPlaying: () => this.playing,
-    play: () => void this.view.playback?.play(),
+    play: () => void this.view?.playback?.play(),
     pause: () => this.view?.playback?.pause(),
     rewind: () => {
       this.frame = 0;
     },
   });
-  private readonly drop = new FileDrop(this, (files) => this.desk.openFiles(files));
+  private readonly live = new LiveDesk(this, {
+    draw: (moment, stage) => this.drawLive(moment, stage),
+    isSlowToDraw: () => this.stage?.isSoftware ?? false,
+    recorded: (file, clip, settings) => this.desk.showRecording(file, clip, settings),
+    say: (words) => this.desk.say(words),
+  });
+  private readonly drop = new FileDrop(this, (files) => this.openFiles(files));
 
   static override styles = [sharedStyles, appStyles];
+
+  /** Live playback's own figures, for measurements; null while no camera is on. */
+  get liveSession(): LiveSession | null {
+    return this.live.session;
+  }
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -59,75 +81,39 @@ export class DeciWatchApp extends LitElement {
   }
 
   override render() {
-    const { desk, frame, playing, muted, rate } = this;
-    const { clip, job } = desk;
+    const { desk, live } = this;
     return html`
       <div class="stack">
         <dw-clip-bar
-          .name=${desk.file?.name ?? ''}
-          .info=${clip?.source ?? null}
-          @files=${(event: CustomEvent<readonly File[]>) => desk.openFiles(event.detail)}
+          .name=${live.on ? live.camera?.label || 'Camera' : (desk.file?.name ?? '')}
+          .info=${live.on ? null : (desk.clip?.source ?? null)}
+          .live=${live.on}
+          @files=${(event: CustomEvent<readonly File[]>) => this.openFiles(event.detail)}
           @save=${() => desk.save()}
+          @camera=${() => this.startCamera()}
           @help=${() => this.keys.open()}
         ></dw-clip-bar>
         <div class="notices">
         <div role="alert">${renderNotice('error', desk.error, () => desk.dismissError())}</div>
         <div role="status">${renderNotice('note', desk.note, () => desk.dismissNote())}</div>
         </div>
-
-        <section class="viewer card" aria-label="The clip and its poses">
-          <div class="panes" style="--aspect: ${this.aspect}">
-            <div class="pane ${job && clip ? 'dimmed' : ''}">
-              <dw-clip-view
-                .src=${desk.file?.url ?? null}
-                .clip=${clip}
-                .frame=${frame}
-                .muted=${muted}
-                .rate=${rate}
-                @playback=${this.played}
-                @picture=${(event: CustomEvent<number>) => {
-                  this.aspect = event.detail;
-                }}
-                @unplayable=${() => desk.cannotPlay()}
-              ></dw-clip-view>
-            </div>
-            <div class="pane ${job && clip ? 'dimmed' : ''}">
-              <dw-stage-view .sequence=${clip?.poses3d ?? null} .frame=${frame}></dw-stage-view>
-              ${this.renderWork()}
-            </div>
-          </div>
-          <div class="deck">
-            <dw-transport-bar
-              .clip=${clip}
-              .frame=${frame}
-              .playing=${playing}
-              .muted=${muted}
-              .rate=${rate}
-              @transport=${(event: CustomEvent<TransportAction>) => this.act(event.detail)}
-              @muted-change=${(event: CustomEvent<boolean>) => {
-                this.muted = event.detail;
-              }}
-              @rate-change=${(event: CustomEvent<number>) => {
-                this.rate = event.detail;
-              }}
-            ></dw-transport-bar>
-            <dw-timeline
-              .clip=${clip}
-              .frame=${this.view?.playback?.wantedFrame ?? 0}
-              .playing=${playing}
-              @seek=${(event: CustomEvent<number>) => this.scrub(event.detail)}
-            ></dw-timeline>
-          </div>
-        </section>
-
+        ${live.on ? this.renderLive() : this.renderClip()}
         <div class="stack lower">
           <dw-settings-panel
             class="card"
             .settings=${desk.settings}
-            .frameRate=${clip?.source.frameRate ?? 0}
-            @settings-change=${(event: CustomEvent<Settings>) => desk.change(event.detail)}
+            .frameRate=${(live.on ? live.status?.frameRate : desk.clip?.source.frameRate) ?? 0}
+            @settings-change=${(event: CustomEvent<Settings>) => this.changeSettings(event.detail)}
           ></dw-settings-panel>
-          <dw-cost-panel class="card" .clip=${clip} .frame=${frame}></dw-cost-panel>
+          ${
+            live.on
+              ? html`<dw-live-cost-panel
+                  class="card"
+                  .report=${live.report}
+                  .mode=${live.choices.mode}
+                ></dw-live-cost-panel>`
+              : html`<dw-cost-panel class="card" .clip=${desk.clip} .frame=${this.frame}></dw-cost-panel>`
+          }
         </div>
       </div>
       <p class="visually-hidden" role="status" data-testid="status">${desk.status}</p>
@@ -139,6 +125,102 @@ export class DeciWatchApp extends LitElement {
       ></dw-shortcuts-dialog>
       ${this.drop.active ? html`<div class="drop">Drop the video to open it</div>` : nothing}
     `;
+  }
+
+  private renderClip() {
+    const { desk, frame, playing, muted, rate } = this;
+    const { clip, job } = desk;
+    return html`<section class="viewer card" aria-label="The clip and its poses">
+      <div class="panes" style="--aspect: ${this.aspect}">
+        <div class="pane ${job && clip ? 'dimmed' : ''}">
+          <dw-clip-view
+            .src=${desk.file?.url ?? null}
+            .clip=${clip}
+            .frame=${frame}
+            .muted=${muted}
+            .rate=${rate}
+            @playback=${this.played}
+            @picture=${(event: CustomEvent<number>) => {
+              this.aspect = event.detail;
+            }}
+            @unplayable=${() => desk.cannotPlay()}
+          ></dw-clip-view>
+        </div>
+        <div class="pane ${job && clip ? 'dimmed' : ''}">
+          <dw-stage-view .sequence=${clip?.poses3d ?? null} .frame=${frame}></dw-stage-view>
+          ${this.renderWork()}
+        </div>
+      </div>
+      <div class="deck">
+        <dw-transport-bar
+          .clip=${clip}
+          .frame=${frame}
+          .playing=${playing}
+          .muted=${muted}
+          .rate=${rate}
+          @transport=${(event: CustomEvent<TransportAction>) => this.act(event.detail)}
+          @muted-change=${(event: CustomEvent<boolean>) => {
+            this.muted = event.detail;
+          }}
+          @rate-change=${(event: CustomEvent<number>) => {
+            this.rate = event.detail;
+          }}
+        ></dw-transport-bar>
+        <dw-timeline
+          .clip=${clip}
+          .frame=${this.view?.playback?.wantedFrame ?? 0}
+          .playing=${playing}
+          @seek=${(event: CustomEvent<number>) => this.scrub(event.detail)}
+        ></dw-timeline>
+      </div>
+    </section>`;
+  }
+
+  private renderLive() {
+    const { live } = this;
+    const { choices, status, camera } = live;
+    const words = live.opening
+      ? 'Asking for the camera: allow it for this page.'
+      : live.recovering
+        ? 'Recovering every frame of the recording …'
+        : liveWords(status?.state ?? 'loading');
+    const load = status ? loadWords(status, { ...this.desk.settings, ...choices }) : '';
+    const rate = status?.frameRate ? ` ${Math.round(status.frameRate)} frames a second.` : '';
+    return html`<section class="viewer card" aria-label="The camera and its poses">
+      <div class="panes" style="--aspect: ${this.aspect}">
+        <div class="pane">
+          <dw-live-view
+            .stream=${camera?.stream ?? null}
+            .mirrored=${choices.mirrored}
+            .delayed=${choices.mode === 'smooth'}
+            @camera-frame=${(event: CustomEvent<ShownFrame>) => live.frame(event.detail)}
+            @picture=${(event: CustomEvent<number>) => {
+              this.aspect = event.detail;
+            }}
+          ></dw-live-view>
+        </div>
+        <div class="pane">
+          <dw-stage-view .live=${choices.mirrored ? 'mirrored' : 'plain'}></dw-stage-view>
+        </div>
+      </div>
+      <div class="deck">
+        <p class="live-state" role="status" data-testid="live-state" data-state=${status?.state ?? 'asking'}>
+          <i class=${live.recording ? 'red' : (status?.state ?? '')}></i>
+          <span>${live.recording ? 'Recording. ' : nothing}${words}${rate} ${load}</span>
+        </p>
+        <dw-live-bar
+          .choices=${choices}
+          .cameras=${live.cameras}
+          .camera=${camera?.id ?? ''}
+          .ready=${status !== null && status.state !== 'loading' && status.state !== 'waiting'}
+          .recording=${live.recording}
+          .recovering=${live.recovering}
+          @live=${(event: CustomEvent<LiveAction>) => this.actLive(event.detail)}
+          @camera=${(event: CustomEvent<string>) => void live.start(this.desk.settings, event.detail)}
+          @choices=${(event: CustomEvent<LiveChoices>) => live.choose(event.detail)}
+        ></dw-live-bar>
+      </div>
+    </section>`;
   }
 
   /** The running job, or the button that starts one where it was cancelled. */
@@ -162,10 +244,53 @@ export class DeciWatchApp extends LitElement {
   protected override updated(_changes: PropertyValues<this>): void {
     const { dataset } = document.documentElement;
     const { clip, job, error } = this.desk;
-    dataset.state = pageState(job?.progress ?? null, error !== '', clip !== null);
+    dataset.state = this.live.on
+      ? 'live'
+      : pageState(job?.progress ?? null, error !== '', clip !== null);
     if (!clip) return;
     dataset.frames = String(clip.source.frameCount);
     dataset.every = String(clip.interval);
+  }
+
+  private openFiles(files: readonly File[]): void {
+    this.live.stop();
+    this.desk.openFiles(files);
+  }
+
+  private startCamera(): void {
+    this.desk.rest();
+    void this.live.start(this.desk.settings);
+  }
+
+  private changeSettings(settings: Settings): void {
+    if (this.live.on) {
+      this.desk.adopt(settings);
+      this.live.change(settings);
+    } else {
+      this.desk.change(settings);
+    }
+  }
+
+  private actLive(action: LiveAction): void {
+    switch (action) {
+      case 'stop':
+        this.live.stop();
+        break;
+      case 'record':
+        this.live.startRecording();
+        break;
+      case 'stop-recording':
+        void this.live.stopRecording();
+        break;
+    }
+  }
+
+  private drawLive({ time, pose }: Pick<Moment, 'time' | 'pose'>, stage: boolean): void {
+    this.liveView?.paint({ time, pose });
+    if (!stage) return;
+    this.stage?.showPose(
+      pose && { values: pose.values3d, scores: pose.scores, presence: pose.presence, time },
+    );
   }
 
   private played(event: CustomEvent<PlaybackState>): void {
@@ -174,14 +299,14 @@ export class DeciWatchApp extends LitElement {
   }
 
   private scrub(frame: number): void {
-    const playback = this.view.playback;
+    const playback = this.view?.playback;
     playback?.pause();
     playback?.seek(frame);
     this.requestUpdate();
   }
 
   private act(action: TransportAction): void {
-    const playback = this.view.playback;
+    const playback = this.view?.playback;
     if (!playback || !this.desk.clip) return;
     switch (action) {
       case 'toggle':
@@ -213,16 +338,16 @@ export class DeciWatchApp extends LitElement {
   private obey(action: ShortcutAction): void {
     switch (action) {
       case 'fewer':
-        this.desk.change(stepEvery(this.desk.settings, -1));
+        this.changeSettings(stepEvery(this.desk.settings, -1));
         break;
       case 'more':
-        this.desk.change(stepEvery(this.desk.settings, 1));
+        this.changeSettings(stepEvery(this.desk.settings, 1));
         break;
       case 'open':
         this.bar.choose();
         break;
       case 'save':
-        this.desk.save();
+        if (!this.live.on) this.desk.save();
         break;
       case 'help':
         this.keys.open();

@@ -16,6 +16,9 @@ const PATHS = {
   muted: svg`<path d="M4 9.5v5h3.5L12 18.5v-13L7.5 9.5z"/><path d="M16 9.5l5 5M21 9.5l-5 5"/>`,
   open: svg`<path d="M12 16V5M7.5 9L12 4.5 16.5 9M5 15v4h14v-4"/>`,
   save: svg`<path d="M12 4.5V15M7.5 11L12 15.5 16.5 11M5 16v3.5h14V16"/>`,
+  camera: svg`<rect x="3" y="6.5" width="12.5" height="11" rx="2"/><path d="M15.5 11l5-3v8l-5-3"/>`,
+  stop: svg`<rect x="6.5" y="6.5" width="11" height="11" rx="1.5" fill="currentColor"/>`,
+  record: svg`<circle cx="12" cy="12" r="6" fill="currentColor"/>`,
   close: svg`<path d="M6 6l12 12M18 6L6 18"/>`,
   keyboard: svg`<rect x="3" y="6.5" width="18" height="11" rx="2"/><path d="M7 10h.01M11 10h.01M15 10h.01M8 14h8"/>`,
 } as const;

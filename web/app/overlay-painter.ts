@@ -19,6 +19,7 @@ const SOLID_SCORE = 0.6;
  * @param sequence 2D, in pixels of the source
  * @param picture where the source's pixels lie, in CSS pixels
  * @param sourceWidth pixels
+ * @param presence 0 (gone) to 1 (there)
  */
 export function paintOverlay(
   context: CanvasRenderingContext2D,
@@ -26,6 +27,7 @@ export function paintOverlay(
   frame: number,
   picture: Rect,
   sourceWidth: number,
+  presence = 1,
 ): void {
   if (!hasPose(sequence, frame)) return;
   const { skeleton } = sequence;
@@ -45,7 +47,7 @@ export function paintOverlay(
   const alpha = (of: readonly number[]) => {
     const score = Math.min(...of.map((joint) => scores[joint]!));
     const solid = (score - FAINT_SCORE) / (SOLID_SCORE - FAINT_SCORE);
-    return 0.3 + 0.7 * Math.min(1, Math.max(0, solid));
+    return presence * (0.3 + 0.7 * Math.min(1, Math.max(0, solid)));
   };
   const stroke = (segment: BodySegment, width: number, colour: string) => {
     const [fromX, fromY] = point(segment.from);

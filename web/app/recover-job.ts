@@ -9,6 +9,8 @@ import type { Settings } from './settings.ts';
 export interface ClipFile {
   readonly blob: Blob;
   readonly name: string;
+  /** Its pictures are black: a recording that was made without them. Nobody can be seen in it. */
+  readonly blank?: boolean;
 }
 
 /** The job that is running or about to. */

@@ -1,9 +1,10 @@
 import { css, html, LitElement, nothing, type PropertyValues } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
 import { DeciWatchError } from '../errors.ts';
+import { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
 import { hasPose, type PoseSequence } from '../pose/sequence.ts';
 import type { StageView as View } from '../stage/camera-rig.ts';
-import type { Stage } from '../stage/stage.ts';
+import type { Stage, StagePose } from '../stage/stage.ts';
 import { icon } from './icons.ts';
 import { sharedStyles } from './styles.ts';
 import { ThemeController } from './theme.ts';
@@ -24,6 +25,8 @@ const ZOOM = 1.2;
 export class StageView extends LitElement {
   @property({ attribute: false }) sequence: PoseSequence | null = null;
   @property({ attribute: false }) frame = 0;
+  /** Poses come one by one by {@link showPose}; as in a mirror, or as the camera sees them. */
+  @property({ attribute: false }) live: 'mirrored' | 'plain' | null = null;
   @state() private view: View | null = 'angle';
   @state() private trails = true;
   @state() private message = '';
@@ -57,7 +60,7 @@ export class StageView extends LitElement {
   ];
 
   override render() {
-    const nobody = this.sequence !== null && !hasPose(this.sequence, this.frame);
+    const nobody = !this.live && this.sequence !== null && !hasPose(this.sequence, this.frame);
     return html`<div data-testid="stage">
       <div
         class="canvas"
@@ -85,7 +88,7 @@ export class StageView extends LitElement {
             >${label}</button>`,
           )}
         </div>
-        <div class="group">
+        <div class="group" ?hidden=${this.live !== null}>
           <button
             aria-pressed=${this.trails}
             title="Paths of wrists and ankles: large dots were watched, small ones recovered"
@@ -94,7 +97,7 @@ export class StageView extends LitElement {
         </div>
       </div>
       <div class="bar bottom">
-        <span class="hint">${this.sequence ? 'Grid: 1 m' : nothing}</span>
+        <span class="hint">${this.sequence || this.live ? 'Grid: 1 m' : nothing}</span>
         <div class="group" role="group" aria-label="Camera">
           ${button('Turn left', 'left', () => this.turn(-TURN_DEG, 0))}
           ${button('Turn right', 'right', () => this.turn(TURN_DEG, 0))}
@@ -122,8 +125,8 @@ export class StageView extends LitElement {
       this.shownTheme = this.themes.theme;
       this.stage.setTheme(this.shownTheme);
     }
-    if (changes.has('sequence')) this.stage.setSequence(this.sequence);
-    if (changes.has('sequence') || changes.has('frame')) this.stage.showFrame(this.frame);
+    if (changes.has('sequence') || changes.has('live')) this.fill();
+    else if (changes.has('frame')) this.stage.showFrame(this.frame);
   }
 
   private shownTheme = this.themes.theme;
@@ -140,10 +143,28 @@ export class StageView extends LitElement {
           this.message = context === 'lost' ? LOST : '';
         },
       });
-      this.stage.setSequence(this.sequence);
-      this.stage.showFrame(this.frame);
+      this.fill();
     } catch (error) {
       this.message = error instanceof DeciWatchError ? error.message : NOT_LOADED;
+    }
+  }
+
+  /** Shows a moment of live playback, or nobody. */
+  showPose(pose: StagePose | null): void {
+    this.stage?.showPose(pose);
+  }
+
+  /** Whether pictures are drawn by the processor, so that each costs much. */
+  get isSoftware(): boolean {
+    return this.stage?.isSoftware ?? false;
+  }
+
+  private fill(): void {
+    if (this.live) {
+      this.stage?.setLive(BLAZEPOSE_33, this.live === 'mirrored');
+    } else {
+      this.stage?.setSequence(this.sequence);
+      this.stage?.showFrame(this.frame);
     }
   }
 

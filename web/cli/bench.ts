@@ -3,6 +3,8 @@
  *
  *     npm run bench [-- CLIP] [--estimator lite,full,heavy] [--every 1,10] [--json FILE]
  *
+ * `npm run bench -- live` measures the camera instead: see bench-live.ts.
+ *
  * For each estimator the clip is processed at every N in one browser, after one uncounted run that
  * loads and warms the models. Times of one run are comparable with one another; those of two
  * machines, or of one machine on two days, are not.
@@ -10,6 +12,7 @@
 import { parseArgs } from 'node:util';
 import { ESTIMATOR_NAMES, type EstimatorName } from '../estimators/names.ts';
 import { parsePoseFile } from '../formats/pose-file.ts';
+import { benchLive } from './bench-live.ts';
 import { type BenchRow, formatTable } from './bench-table.ts';
 import { chromiumCpuSeconds } from './cpu-time.ts';
 import { HeadlessEngine } from './headless-engine.ts';
@@ -44,6 +47,8 @@ async function measure(
 }
 
 async function main(): Promise<void> {
+  const args = process.argv.slice(2);
+  if (args[0] === 'live') return benchLive(args.slice(1));
   const { values, positionals } = parseArgs({
     allowPositionals: true,
     options: {

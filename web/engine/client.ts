@@ -4,6 +4,8 @@ import modelManifestUrl from '/models/manifest.json?url';
 import { DeciWatchError } from '../errors.ts';
 import { ESTIMATOR_NAMES } from '../estimators/names.ts';
 import { checkInterval } from '../sampling/watched.ts';
+import { WorkerLiveSession } from './live/session.ts';
+import type { LiveSession, LiveSettings } from './live/types.ts';
 import type { EngineWorker, Outcome } from './messages.ts';
 import type { ModelUrls } from './models.ts';
 import { startWorker } from './start-worker.ts';
@@ -55,6 +57,7 @@ interface Running {
 
 class WorkerEngine implements Engine {
   #running: Running | undefined;
+  #live: LiveSession | undefined;
   #lastJob: Promise<unknown> = Promise.resolve();
   readonly #closing = new AbortController();
 
@@ -71,7 +74,34 @@ class WorkerEngine implements Engine {
     return untilAborted(job, signal);
   }
 
+  live(settings: LiveSettings): LiveSession {
+    checkInterval(settings.every);
+    checkEstimator(settings.estimator);
+    this.#closing.signal.throwIfAborted();
+    this.#live?.close();
+    this.#running ??= start();
+    const { remote, death } = this.#running;
+    const session = new WorkerLiveSession(
+      {
+        remote,
+        death,
+        urls: this.urls,
+        onClose: () => {
+          if (this.#live === session) this.#live = undefined;
+        },
+      },
+      settings,
+    );
+    this.#live = session;
+    // A worker that has died is started anew the next time.
+    death.catch(() => {
+      if (this.#running?.death === death) this.#stop();
+    });
+    return session;
+  }
+
   close(): void {
+    this.#live?.close();
     this.#closing.abort(new DOMException('The engine was closed.', 'AbortError'));
     this.#stop();
   }

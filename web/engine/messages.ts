@@ -1,5 +1,12 @@
 import type { DeciWatchErrorCode } from '../errors.ts';
 import type { EstimatorName } from '../estimators/names.ts';
+import type {
+  LiveNeeds,
+  LiveReady,
+  RecordedStretch,
+  WatchAnswer,
+  WatchRequest,
+} from './live/messages.ts';
 import type { ModelUrls } from './models.ts';
 import type { RecoveredClip, RecoverProgress } from './types.ts';
 
@@ -31,4 +38,12 @@ export interface EngineWorker {
   recover(job: JobMessage, onProgress: ProgressListener): Promise<Outcome>;
   /** Ends the job that is under way, if any. */
   abort(): void;
+  /** Loads what live playback needs. This and the next two never reject. */
+  prepareLive(needs: LiveNeeds): Promise<LiveReady>;
+  /** Looks at a camera frame, which is the worker's from then on. One at a time. */
+  watch(image: VideoFrame, request: WatchRequest): Promise<WatchAnswer>;
+  /** Recovers a recorded stretch of live playback. */
+  recoverStretch(stretch: RecordedStretch): Promise<Outcome>;
+  /** Live playback has ended. */
+  stopLive(): void;
 }

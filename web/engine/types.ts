@@ -2,6 +2,7 @@ import type { CostReport } from '../cost/report.ts';
 import type { EstimatorName } from '../estimators/names.ts';
 import type { PoseSequence } from '../pose/sequence.ts';
 import type { ClipInfo } from '../sources/clip.ts';
+import type { LiveSession, LiveSettings } from './live/types.ts';
 
 export type { ClipInfo };
 
@@ -43,6 +44,12 @@ export interface Engine {
    * @throws DeciWatchError with one sentence for people; `AbortError` (DOMException) when aborted.
    */
   recover(clip: Blob, name: string, options: RecoverOptions): Promise<RecoveredClip>;
+  /**
+   * Follows a camera whose frames the caller hands over. One session at a time: a new one ends the one
+   * before.
+   * @throws DeciWatchError `bad-option`
+   */
+  live(settings: LiveSettings): LiveSession;
   /** Ends the worker and frees all that it holds. */
   close(): void;
 }

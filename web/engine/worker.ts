@@ -1,6 +1,9 @@
 import * as Comlink from 'comlink';
 import { DeciWatchError } from '../errors.ts';
 import { openFile } from '../sources/file.ts';
+import type { Failure, WatchAnswer } from './live/messages.ts';
+import { PictureCanvas } from './live/picture-canvas.ts';
+import { LiveWork } from './live/work.ts';
 import type { EngineWorker, JobMessage, Outcome } from './messages.ts';
 import { Models } from './models.ts';
 import { ProgressReporter } from './progress.ts';
@@ -10,6 +13,8 @@ import type { RecoveredClip } from './types.ts';
 
 let models: Models | undefined;
 let current: AbortController | undefined;
+let live: LiveWork | undefined;
+const pictures = new PictureCanvas();
 
 async function run(
   { file, name, every, estimator, urls }: JobMessage,
@@ -35,7 +40,10 @@ async function run(
 }
 
 function failure(error: unknown, signal: AbortSignal): Outcome {
-  if (signal.aborted) return { kind: 'aborted' };
+  return signal.aborted ? { kind: 'aborted' } : failureOf(error);
+}
+
+function failureOf(error: unknown): Failure {
   if (error instanceof DeciWatchError) {
     return { kind: 'failed', code: error.code, message: error.message };
   }
@@ -64,12 +72,53 @@ const engine: EngineWorker = {
   abort() {
     current?.abort();
   },
+  async prepareLive(needs) {
+    try {
+      checkSupport();
+      models ??= new Models(needs.urls);
+      live ??= new LiveWork(models);
+      return { kind: 'ready', estimatorFlops: await live.prepare(needs) };
+    } catch (error) {
+      return failureOf(error);
+    }
+  },
+  async watch(image, request) {
+    try {
+      if (!live) throw new Error('live playback has not been prepared');
+      const answer = await live.watch(pictures.draw(image), request);
+      return Comlink.transfer(answer, chunkBuffers(answer));
+    } catch (error) {
+      return failureOf(error);
+    } finally {
+      image.close();
+    }
+  },
+  async recoverStretch(stretch) {
+    try {
+      models ??= new Models(stretch.urls);
+      live ??= new LiveWork(models);
+      const clip = await live.recoverStretch(stretch);
+      return Comlink.transfer<Outcome>({ kind: 'done', clip }, buffersOf(clip));
+    } catch (error) {
+      return failureOf(error);
+    }
+  },
+  stopLive() {
+    live?.stop();
+  },
 };
 
 function buffersOf({ poses2d, poses3d }: RecoveredClip): Transferable[] {
   const arrays = [poses2d, poses3d].flatMap((p) => [p.times, p.values, p.scores, p.watched]);
   // The two sequences share some of them, and a buffer can be handed over once only.
   return [...new Set(arrays.map(({ buffer }) => buffer as ArrayBuffer))];
+}
+
+function chunkBuffers(answer: WatchAnswer): Transferable[] {
+  if (answer.kind !== 'watched') return [];
+  const chunks = [answer.recovered, answer.forecast].filter((chunk) => chunk !== null);
+  const arrays = chunks.flatMap((chunk) => [chunk.values2d, chunk.values3d, chunk.scores]);
+  return arrays.map(({ buffer }) => buffer as ArrayBuffer);
 }
 
 Comlink.expose(engine);

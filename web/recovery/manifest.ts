@@ -40,6 +40,8 @@ function pair<TDims extends 2 | 3>(dims: TDims) {
     normalisation: v.object({ '3d': v.optional(metres), '2d': v.optional(pixels) }),
     denoise: net,
     recover: net,
+    /** Poses after the last sample, for live playback; not every pair has one. */
+    forecast: v.optional(net),
   });
   return v.pipe(
     entry,

@@ -2,7 +2,7 @@ import { fetchListed } from '../download.ts';
 import type { PoseEstimate } from '../estimators/estimator.ts';
 import type { Dimensions } from '../pose/sequence.ts';
 import type { PairEntry } from './manifest.ts';
-import { fromNet } from './normalise.ts';
+import { fromNet, type NetFrame } from './normalise.ts';
 import { type Matrix, Net } from './runtime.ts';
 import { buildSampled } from './sampled.ts';
 
@@ -24,7 +24,25 @@ export interface WindowOutput {
   readonly recoverMs: number;
 }
 
-/** The bytes of a pair's two ONNX files. */
+/** A window's samples after DenoiseNet, for the nets that go on from there. */
+export interface CleanWindow {
+  /** S. */
+  readonly samples: number;
+  /** Seconds of the first sample. */
+  readonly begin: number;
+  readonly inputs: Readonly<Record<'clean' | 'features' | 'sample_times', Matrix>>;
+  readonly frame: NetFrame;
+  readonly ms: number;
+}
+
+/** Poses of T times, and how long they took. */
+export interface TimedPoses {
+  /** T·K·D: pixels, or metres relative to the mid-hip. */
+  readonly poses: Float32Array;
+  readonly ms: number;
+}
+
+/** The bytes of a pair's ONNX files. */
 export interface PairFiles {
   readonly denoise: Uint8Array;
   readonly recover: Uint8Array;
@@ -54,6 +72,7 @@ export async function fetchPair(
  */
 export class NetPair {
   readonly dims: Dimensions;
+  private forecast: Net | undefined;
 
   private constructor(
     readonly entry: PairEntry,
@@ -69,31 +88,69 @@ export class NetPair {
 
   /** Recovers one window: cleans its samples, then finds all of its frames. */
   async run({ samples, sampleTimes, frameTimes }: WindowInput): Promise<WindowOutput> {
-    const { sampled, frame } = buildSampled(this.entry, samples);
-    const inUnits = (times: Float64Array): Matrix => ({
-      data: Float32Array.from(times, (time) => (time - sampleTimes[0]!) / this.entry.timeUnit),
-      dims: [1, times.length],
-    });
-    const sample_times = inUnits(sampleTimes);
+    const window = await this.clean(samples, sampleTimes);
+    const { poses, ms } = await this.recoverAt(window, frameTimes);
+    return { poses, denoiseMs: window.ms, recoverMs: ms };
+  }
+
+  /**
+   * DenoiseNet on the S samples of a window.
+   * @param sampleTimes S seconds, increasing
+   */
+  async clean(samples: readonly PoseEstimate[], sampleTimes: Float64Array): Promise<CleanWindow> {
     const start = performance.now();
+    const { sampled, frame } = buildSampled(this.entry, samples);
+    const begin = sampleTimes[0]!;
+    const sample_times = this.#inUnits(sampleTimes, begin);
     const { clean, features } = await this.denoise.run({ sampled, sample_times });
-    const middle = performance.now();
-    const { poses } = await this.recover.run({
-      clean: clean!,
-      features: features!,
-      sample_times,
-      frame_times: inUnits(frameTimes),
-    });
-    const end = performance.now();
+    const inputs = { clean: clean!, features: features!, sample_times };
+    return { samples: samples.length, begin, inputs, frame, ms: performance.now() - start };
+  }
+
+  /**
+   * RecoverNet: poses at T times from a window's first sample to its last.
+   * @param times T seconds, increasing
+   */
+  recoverAt(window: CleanWindow, times: Float64Array): Promise<TimedPoses> {
+    return this.#posesOf(this.recover, window, times);
+  }
+
+  /**
+   * ForecastNet: poses at T times from a window's last sample on.
+   * @param times T seconds, increasing
+   */
+  forecastAt(window: CleanWindow, times: Float64Array): Promise<TimedPoses> {
+    if (!this.forecast) throw new Error('The forecast net has not been loaded.');
+    return this.#posesOf(this.forecast, window, times);
+  }
+
+  get hasForecast(): boolean {
+    return this.forecast !== undefined;
+  }
+
+  /** Adds the net that {@link forecastAt} runs. */
+  async addForecast(file: Uint8Array): Promise<void> {
+    this.forecast ??= await Net.create(file);
+  }
+
+  async #posesOf(net: Net, window: CleanWindow, times: Float64Array): Promise<TimedPoses> {
+    const start = performance.now();
+    const frame_times = this.#inUnits(times, window.begin);
+    const { poses } = await net.run({ ...window.inputs, frame_times });
+    return { poses: fromNet(poses!.data, window.frame), ms: performance.now() - start };
+  }
+
+  #inUnits(times: Float64Array, begin: number): Matrix {
+    const { timeUnit } = this.entry;
     return {
-      poses: fromNet(poses!.data, frame),
-      denoiseMs: middle - start,
-      recoverMs: end - middle,
+      data: Float32Array.from(times, (time) => (time - begin) / timeUnit),
+      dims: [1, times.length],
     };
   }
 
   async dispose(): Promise<void> {
     await this.denoise.dispose();
     await this.recover.dispose();
+    await this.forecast?.dispose();
   }
 }

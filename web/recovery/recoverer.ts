@@ -1,3 +1,5 @@
+import { fetchListed } from '../download.ts';
+import { DeciWatchError } from '../errors.ts';
 import type { PoseEstimate } from '../estimators/estimator.ts';
 import { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
 import type { PoseSequence } from '../pose/sequence.ts';
@@ -18,6 +20,9 @@ export interface PairRun {
   readonly frames: number;
   readonly denoiseMs: number;
   readonly recoverMs: number;
+  /** Times looked ahead to, and how long that took; live playback's alone. */
+  readonly ahead?: number;
+  readonly forecastMs?: number;
 }
 
 const KEYPOINTS = BLAZEPOSE_33.joints.length;
@@ -32,8 +37,9 @@ const NOBODY: PoseEstimate = {
 /** A pose for every frame, from the poses of the watched ones, in 2D and in 3D. */
 export class Recoverer {
   private constructor(
-    private readonly pair2d: NetPair,
-    private readonly pair3d: NetPair,
+    private readonly manifestUrl: URL,
+    readonly pair2d: NetPair,
+    readonly pair3d: NetPair,
   ) {}
 
   /**
@@ -54,7 +60,30 @@ export class Recoverer {
     for (const pair of [pair2d, pair3d]) {
       await pair.run({ samples, sampleTimes: times, frameTimes: times });
     }
-    return new Recoverer(pair2d, pair3d);
+    return new Recoverer(manifestUrl, pair2d, pair3d);
+  }
+
+  /**
+   * Fetches the two nets that look ahead, unless they are there, and runs each once.
+   * @throws DeciWatchError `model-missing` or `model-mismatch`; also where the manifest lists none
+   */
+  async loadForecasts(signal?: AbortSignal): Promise<void> {
+    const pairs = [this.pair2d, this.pair3d];
+    const files = await Promise.all(
+      pairs.map(({ entry }) => {
+        if (entry.forecast) return fetchListed(this.manifestUrl, entry.forecast, signal);
+        throw new DeciWatchError(
+          'model-missing',
+          'These nets cannot look ahead, since their manifest lists no forecast: choose the smooth mode.',
+        );
+      }),
+    );
+    for (const [i, pair] of pairs.entries()) {
+      if (pair.hasForecast) continue;
+      await pair.addForecast(files[i]!);
+      const window = await pair.clean([NOBODY, NOBODY], Float64Array.of(0, 1 / 3));
+      await pair.forecastAt(window, Float64Array.of(1 / 3, 1 / 2));
+    }
   }
 
   /**

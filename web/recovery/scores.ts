@@ -30,3 +30,26 @@ export function interpolateScores(
   }
   return scores;
 }
+
+/**
+ * The scores at times between two samples: straight lines.
+ * @param times T seconds, from the one's to the other's
+ * @returns T·K values
+ */
+export function scoresBetween(
+  from: { readonly time: number; readonly estimate: { readonly scores: Float32Array } },
+  to: { readonly time: number; readonly estimate: { readonly scores: Float32Array } },
+  times: Float64Array,
+): Float32Array {
+  const keypoints = from.estimate.scores.length;
+  const scores = new Float32Array(times.length * keypoints);
+  const length = to.time - from.time;
+  times.forEach((time, t) => {
+    const share = length > 0 ? (time - from.time) / length : 0;
+    for (let k = 0; k < keypoints; k++) {
+      const start = from.estimate.scores[k]!;
+      scores[t * keypoints + k] = start + share * (to.estimate.scores[k]! - start);
+    }
+  });
+  return scores;
+}

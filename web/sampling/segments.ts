@@ -40,9 +40,16 @@ export function splitSegments(
 
 function isBridged(from: number, to: number, times: ArrayLike<number>, every: number): boolean {
   // Rounded up because the clip's last sample may come after less than a whole interval.
-  const missing = Math.ceil((to - from) / every) - 1;
+  return bridges(Math.ceil((to - from) / every) - 1, times[to]! - times[from]!);
+}
+
+/**
+ * Whether frames between two samples are recovered.
+ * @param missing samples between them in which nobody was seen
+ * @param gap seconds from one to the other
+ */
+export function bridges(missing: number, gap: number): boolean {
   // Two samples in a row are joined at any frame rate.
   if (missing === 0) return true;
-  const gap = times[to]! - times[from]!;
   return gap <= SHORT_GAP_SECONDS || (missing <= MAX_MISSING_SAMPLES && gap <= MAX_GAP_SECONDS);
 }

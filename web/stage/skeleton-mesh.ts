@@ -28,6 +28,8 @@ export interface BodyPose {
   readonly scores: Float32Array;
   /** Marks the joints as seen by the estimator itself. */
   readonly watched: boolean;
+  /** 0 (gone) to 1 (there, unless said otherwise): less while somebody comes into view or has left it. */
+  readonly presence?: number;
 }
 
 /** A body of cylinders (bones) and spheres (joints): two instanced meshes and a head. */
@@ -37,14 +39,17 @@ export class SkeletonMesh {
   readonly #skeleton: Skeleton;
   readonly #material = new MeshLambertMaterial();
   readonly #headMaterial = new MeshLambertMaterial();
-  readonly #cylinder = new CylinderGeometry(1, 1, 1, 14, 1, true);
-  readonly #sphere = new SphereGeometry(1, 20, 14);
+  readonly #cylinder: CylinderGeometry;
+  readonly #sphere: SphereGeometry;
   readonly #bones: InstancedMesh;
   readonly #joints: InstancedMesh;
   readonly #head: Mesh;
   #palette: Palette;
 
-  constructor(skeleton: Skeleton, palette: Palette) {
+  /** @param coarse with a third of the triangles, for those who draw in software */
+  constructor(skeleton: Skeleton, palette: Palette, coarse = false) {
+    this.#cylinder = new CylinderGeometry(1, 1, 1, coarse ? 7 : 14, 1, true);
+    this.#sphere = coarse ? new SphereGeometry(1, 10, 7) : new SphereGeometry(1, 20, 14);
     this.#skeleton = skeleton;
     this.#palette = palette;
     this.#plan = bodyPlan(skeleton);
@@ -66,27 +71,32 @@ export class SkeletonMesh {
   /** Moves the body to a pose. */
   update(pose: BodyPose): void {
     const { segments, jointRadii, head } = this.#plan;
+    const presence = pose.presence ?? 1;
     segments.forEach((segment, index) => {
       const solid = Math.min(solidity(pose, segment.from), solidity(pose, segment.to));
       meanPoint(pose.values, segment.from, start);
       meanPoint(pose.values, segment.to, end);
-      placeBetween(start, end, segment.radius * thickness(solid));
+      placeBetween(start, end, segment.radius * thickness(solid) * presence);
       this.#bones.setMatrixAt(index, matrix);
-      this.#bones.setColorAt(index, this.#faded(this.#palette.sides[segment.side], solid));
+      this.#bones.setColorAt(
+        index,
+        this.#faded(this.#palette.sides[segment.side], solid, presence),
+      );
     });
     jointRadii.forEach((radius, joint) => {
       const solid = solidity(pose, [joint]);
       meanPoint(pose.values, [joint], start);
-      size.setScalar(radius * thickness(solid));
+      size.setScalar(radius * thickness(solid) * presence);
       this.#joints.setMatrixAt(joint, matrix.compose(start, NO_TURN, size));
       const colour = pose.watched
         ? this.#palette.watched
         : this.#palette.sides[this.#skeleton.sides[joint]!];
-      this.#joints.setColorAt(joint, this.#faded(colour, solid));
+      this.#joints.setColorAt(joint, this.#faded(colour, solid, presence));
     });
     if (head.length > 0) {
       meanPoint(pose.values, head, this.#head.position);
-      this.#head.scale.set(HEAD_RADIUS_M * 0.86, HEAD_RADIUS_M * 1.12, HEAD_RADIUS_M * 0.86);
+      const radius = HEAD_RADIUS_M * Math.max(presence, 1e-3);
+      this.#head.scale.set(radius * 0.86, radius * 1.12, radius * 0.86);
     }
     for (const mesh of [this.#bones, this.#joints]) {
       instancesChanged(mesh);
@@ -104,8 +114,9 @@ export class SkeletonMesh {
     this.#headMaterial.dispose();
   }
 
-  #faded(colour: string, solid: number): Color {
-    return mixed.set(this.#palette.background).lerp(tint.set(colour), 0.3 + 0.7 * solid);
+  #faded(colour: string, solid: number, presence: number): Color {
+    const share = presence * (0.3 + 0.7 * solid);
+    return mixed.set(this.#palette.background).lerp(tint.set(colour), share);
   }
 }
 

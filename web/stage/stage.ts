@@ -1,9 +1,11 @@
 import { DirectionalLight, Group, HemisphereLight, Scene } from 'three';
 import { hasPose, type PoseSequence, poseAt } from '../pose/sequence.ts';
+import type { Skeleton } from '../pose/skeleton.ts';
 import { CameraRig, type StageView } from './camera-rig.ts';
 import { ContactShadow } from './contact-shadow.ts';
 import { Ground } from './ground.ts';
 import { estimateStanding, type Standing } from './ground-level.ts';
+import { LiveStanding } from './live-standing.ts';
 import { paletteFor, type Theme } from './palette.ts';
 import { SkeletonMesh } from './skeleton-mesh.ts';
 import { Trails } from './trails.ts';
@@ -14,6 +16,25 @@ export interface StageOptions {
   readonly theme?: Theme;
   /** Told when the graphics card drops the picture, and when it is back. */
   readonly onContext?: (state: 'lost' | 'restored') => void;
+}
+
+/** One moment of live playback, as the stage takes it. */
+export interface StagePose {
+  /** K·3 metres relative to the mid-hip. */
+  readonly values: Float32Array;
+  /** K, 0 to 1. */
+  readonly scores: Float32Array;
+  /** 0 to 1. */
+  readonly presence: number;
+  /** Seconds. */
+  readonly time: number;
+}
+
+/** What is drawn of live playback. */
+interface LiveCast {
+  readonly standing: LiveStanding;
+  readonly body: SkeletonMesh;
+  readonly shadow: ContactShadow;
 }
 
 /** What is drawn of one sequence. */
@@ -41,6 +62,7 @@ export class Stage {
   readonly #onContext: StageOptions['onContext'];
   #theme: Theme;
   #cast: Cast | null = null;
+  #live: LiveCast | null = null;
   #frame = 0;
   #trailsShown = true;
   #pending = 0;
@@ -73,7 +95,9 @@ export class Stage {
 
   /** Shows another sequence (3D), or an empty stage. */
   setSequence(sequence: PoseSequence | null): void {
+    const wasLive = this.#live !== null;
     this.#dismiss();
+    if (wasLive) this.#resize();
     if (sequence) {
       const palette = paletteFor(this.#theme);
       const standing = estimateStanding(sequence);
@@ -87,6 +111,52 @@ export class Stage {
       this.camera.setStature(standing.stature);
     }
     this.showFrame(0);
+  }
+
+  /**
+   * Takes poses one by one from now on ({@link showPose}) instead of a sequence.
+   * @param mirrored as in a mirror: what is on the person's right is on the right
+   */
+  setLive(skeleton: Skeleton, mirrored: boolean): void {
+    this.#dismiss();
+    const palette = paletteFor(this.#theme);
+    const body = new SkeletonMesh(skeleton, palette, this.#gl.software);
+    const shadow = new ContactShadow(skeleton.joints.length);
+    this.#live = { standing: new LiveStanding(), body, shadow };
+    this.#actors.add(body.object, shadow.object);
+    this.#actors.scale.x = mirrored ? -1 : 1;
+    this.#actors.visible = false;
+    this.#ring.object.visible = false;
+    this.#resize();
+  }
+
+  /** Shows somebody at one moment of live playback, or nobody. */
+  showPose(pose: StagePose | null): void {
+    if (!this.#live) return;
+    const { standing, body, shadow } = this.#live;
+    const shown = pose !== null && pose.presence > 0;
+    // An empty stage stays as it is.
+    if (!shown && !this.#actors.visible) return;
+    this.#actors.visible = shown;
+    this.#ring.object.visible = false;
+    if (shown) {
+      standing.follow(pose.values, pose.time);
+      body.update({ ...pose, watched: false });
+      body.object.position.y = standing.hipHeight;
+      shadow.object.visible = pose.presence > 0.5;
+      shadow.update(pose.values, standing.hipHeight);
+      const [x, z] = standing.feet;
+      this.#actors.position.set(-x * this.#actors.scale.x, 0, -z);
+      this.camera.setStature(standing.stature);
+    } else {
+      standing.reset();
+    }
+    this.#invalidate();
+  }
+
+  /** Whether pictures are drawn by the processor: each costs much. */
+  get isSoftware(): boolean {
+    return this.#gl.software;
   }
 
   /** Shows one frame of the sequence; where nobody was seen in it, an empty stage. */
@@ -103,6 +173,7 @@ export class Stage {
     this.#ring.setPalette(palette);
     this.#cast?.body.setPalette(palette);
     this.#cast?.trails.setPalette(palette);
+    this.#live?.body.setPalette(palette);
     this.showFrame(this.#frame);
   }
 
@@ -138,9 +209,14 @@ export class Stage {
     this.#cast?.shadow.dispose();
     this.#cast?.trails.dispose();
     this.#cast = null;
+    this.#live?.body.dispose();
+    this.#live?.shadow.dispose();
+    this.#live = null;
+    this.#actors.scale.x = 1;
   }
 
   #pose(): void {
+    if (this.#live) return;
     const cast = this.#cast;
     const shown = cast !== null && hasPose(cast.sequence, this.#frame);
     this.#actors.visible = shown;
@@ -178,8 +254,9 @@ export class Stage {
   readonly #resize = () => {
     const { clientWidth: width, clientHeight: height } = this.#container;
     if (width === 0 || height === 0) return;
-    const { renderer, maxPixelRatio } = this.#gl;
-    renderer.setPixelRatio(Math.min(devicePixelRatio, maxPixelRatio));
+    const { renderer, maxPixelRatio, livePixelRatio, software } = this.#gl;
+    const most = this.#live ? livePixelRatio : maxPixelRatio;
+    renderer.setPixelRatio(software ? most : Math.min(devicePixelRatio, most));
     renderer.setSize(width, height, false);
     this.camera.resize(width, height);
     // At once: setting the size has emptied the canvas.

@@ -2,11 +2,19 @@ import { WebGLRenderer } from 'three';
 import { DeciWatchError } from '../errors.ts';
 
 const MAX_PIXEL_RATIO = 2;
+/** Instead of smooth edges, which cost more. */
+const SOFTWARE_PIXEL_RATIO = 1.5;
+const SOFTWARE_LIVE_PIXEL_RATIO = 0.7;
 
-/** A renderer, and how many device pixels to a CSS pixel it should draw. */
+/** A renderer, and what is to be asked of it. */
 export interface StageRenderer {
   readonly renderer: WebGLRenderer;
+  /** Device pixels to a CSS pixel. */
   readonly maxPixelRatio: number;
+  /** The same while poses come live, thirty a second. */
+  readonly livePixelRatio: number;
+  /** Pictures are drawn by the processor: each costs some milliseconds of it. */
+  readonly software: boolean;
 }
 
 /**
@@ -18,7 +26,8 @@ export function createRenderer(): StageRenderer {
   const canvas = document.createElement('canvas');
   const options: WebGLContextAttributes = { antialias: true, alpha: true };
   const fast = canvas.getContext('webgl2', { ...options, failIfMajorPerformanceCaveat: true });
-  const context = fast ?? canvas.getContext('webgl2', options);
+  // In software four samples a pixel take four times as long.
+  const context = fast ?? canvas.getContext('webgl2', { ...options, antialias: false });
   if (!context) {
     throw new DeciWatchError(
       'browser-unsupported',
@@ -26,7 +35,9 @@ export function createRenderer(): StageRenderer {
     );
   }
   return {
-    renderer: new WebGLRenderer({ canvas, context, antialias: true, alpha: true }),
-    maxPixelRatio: fast ? MAX_PIXEL_RATIO : 1,
+    renderer: new WebGLRenderer({ canvas, context, antialias: fast !== null, alpha: true }),
+    maxPixelRatio: fast ? MAX_PIXEL_RATIO : SOFTWARE_PIXEL_RATIO,
+    livePixelRatio: fast ? MAX_PIXEL_RATIO : SOFTWARE_LIVE_PIXEL_RATIO,
+    software: !fast,
   };
 }

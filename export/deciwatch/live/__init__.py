@@ -1,0 +1,1 @@
+"""Live playback as the page does it, frame by frame, to measure it."""

@@ -1,0 +1,318 @@
+import type { ReactiveController, ReactiveControllerHost } from 'lit';
+import { createEngine } from '../../engine/client.ts';
+import type {
+  LiveMode,
+  LiveReport,
+  LiveSession,
+  LiveStatus,
+  LiveView,
+  LoadPolicy,
+} from '../../engine/live/types.ts';
+import type { Engine, RecoveredClip } from '../../engine/types.ts';
+import { DeciWatchError } from '../../errors.ts';
+import { type Camera, type CameraChoice, listCameras, openCamera } from '../../sources/camera.ts';
+import type { ClipFile } from '../recover-job.ts';
+import { DEFAULT_SETTINGS, type Settings } from '../settings.ts';
+import { DrawGovernor } from './draw-governor.ts';
+import type { ShownFrame } from './live-view.ts';
+import { blankVideo, PictureRecorder } from './picture-recorder.ts';
+
+/** Figures change so many times a second. */
+const REPORT_MS = 500;
+
+/** What somebody chooses of live playback beside N and the estimator. */
+export interface LiveChoices {
+  readonly mode: LiveMode;
+  readonly load: LoadPolicy;
+  readonly mirrored: boolean;
+  /** Recordings keep the camera's picture. */
+  readonly keepPicture: boolean;
+}
+
+export const DEFAULT_LIVE_CHOICES: LiveChoices = {
+  mode: 'smooth',
+  load: 'adapt',
+  mirrored: true,
+  keepPicture: false,
+};
+
+/** What the desk needs of the page. */
+export interface LivePage {
+  /** Draws one moment, in the 3D view too where `stage` says so. */
+  draw(view: LiveView, stage: boolean): void;
+  /** Each picture is drawn by the processor: as often as the camera's is often enough. */
+  isSlowToDraw(): boolean;
+  /** A recording is ready to be played. */
+  recorded(file: ClipFile, clip: RecoveredClip, settings: Settings): void;
+  /** One sentence for people. */
+  say(words: { error?: string; note?: string; status?: string }): void;
+}
+
+/** The camera on the page's desk: opens it, follows whom it sees, records, and puts it away. */
+export class LiveDesk implements ReactiveController {
+  readonly #host: ReactiveControllerHost;
+  readonly #page: LivePage;
+  #engine: Engine | null = null;
+  #camera: Camera | null = null;
+  #session: LiveSession | null = null;
+  #opening = false;
+  #cameras: readonly CameraChoice[] = [];
+  #choices = DEFAULT_LIVE_CHOICES;
+  #settings: Settings = DEFAULT_SETTINGS;
+  #report: LiveReport | null = null;
+  #frameRequest = 0;
+  #reportTimer = 0;
+  #drawnFrame: number | null = null;
+  #governor = new DrawGovernor();
+  #recording = false;
+  #recovering = false;
+  #pictures: Promise<PictureRecorder | null> | null = null;
+  #recorder: PictureRecorder | null = null;
+
+  constructor(host: ReactiveControllerHost, page: LivePage) {
+    this.#host = host;
+    this.#page = page;
+    host.addController(this);
+  }
+
+  /** A camera is on or being asked for. */
+  get on(): boolean {
+    return this.#opening || this.#camera !== null;
+  }
+
+  get opening(): boolean {
+    return this.#opening;
+  }
+
+  get camera(): Camera | null {
+    return this.#camera;
+  }
+
+  get cameras(): readonly CameraChoice[] {
+    return this.#cameras;
+  }
+
+  get choices(): LiveChoices {
+    return this.#choices;
+  }
+
+  get status(): LiveStatus | null {
+    return this.#session?.status ?? null;
+  }
+
+  get report(): LiveReport | null {
+    return this.#report;
+  }
+
+  /** The session itself, for measurements. */
+  get session(): LiveSession | null {
+    return this.#session;
+  }
+
+  get recording(): boolean {
+    return this.#recording;
+  }
+
+  /** The frames of a recording are being recovered. */
+  get recovering(): boolean {
+    return this.#recovering;
+  }
+
+  hostConnected(): void {
+    document.addEventListener('visibilitychange', this.#seen);
+    navigator.mediaDevices?.addEventListener('devicechange', this.#devicesChanged);
+  }
+
+  hostDisconnected(): void {
+    document.removeEventListener('visibilitychange', this.#seen);
+    navigator.mediaDevices?.removeEventListener('devicechange', this.#devicesChanged);
+    this.stop();
+    this.#engine?.close();
+    this.#engine = null;
+  }
+
+  /**
+   * Asks for the camera and follows whom it sees.
+   * @param id another camera than the browser's own choice
+   */
+  async start(settings: Settings, id?: string): Promise<void> {
+    if (this.#opening) return;
+    this.stop();
+    this.#settings = settings;
+    this.#opening = true;
+    this.#page.say({ error: '', note: '', status: 'Asking for the camera.' });
+    this.#host.requestUpdate();
+    try {
+      const camera = await openCamera(id);
+      if (!this.#opening) {
+        camera.close();
+        return;
+      }
+      this.#camera = camera;
+      camera.onLost = (error) => this.#fail(error);
+      this.#choices = { ...this.#choices, mirrored: camera.facesUser };
+      this.#open();
+      void this.#devicesChanged();
+    } catch (error) {
+      this.#fail(error);
+    } finally {
+      this.#opening = false;
+      this.#host.requestUpdate();
+    }
+  }
+
+  /** Switches the camera off. A recording that runs is thrown away. */
+  stop(): void {
+    cancelAnimationFrame(this.#frameRequest);
+    clearInterval(this.#reportTimer);
+    this.#opening = false;
+    this.#recording = false;
+    void this.#dropPictures();
+    this.#session?.close();
+    this.#session = null;
+    this.#camera?.close();
+    this.#camera = null;
+    this.#report = null;
+    this.#host.requestUpdate();
+  }
+
+  /** Another N or estimator. */
+  change(settings: Settings): void {
+    this.#settings = settings;
+    this.#session?.change(this.#sessionSettings());
+    this.#host.requestUpdate();
+  }
+
+  choose(choices: LiveChoices): void {
+    this.#choices = choices;
+    this.#session?.change(this.#sessionSettings());
+    this.#host.requestUpdate();
+  }
+
+  /** A frame of the camera is on screen. */
+  frame({ video, frame }: ShownFrame): void {
+    this.#session?.frame(video, frame);
+    const since = this.#session?.recordingSince ?? null;
+    if (since !== null && frame.time >= since) this.#recorder?.add(video, frame.time);
+  }
+
+  startRecording(): void {
+    const session = this.#session;
+    if (!session || this.#recording) return;
+    this.#recording = true;
+    this.#host.requestUpdate();
+    const size = session.size;
+    this.#pictures =
+      this.#choices.keepPicture && size
+        ? PictureRecorder.start(size.width, size.height).catch((error) => {
+            this.#page.say({ note: messageOf(error) });
+            return null;
+          })
+        : Promise.resolve(null);
+    void this.#pictures.then((recorder) => {
+      if (!this.#recording || this.#session !== session) return;
+      this.#recorder = recorder;
+      session.startRecording();
+    });
+    this.#page.say({ status: 'Recording.' });
+  }
+
+  /** Recovers what was recorded, and hands it to the page. */
+  async stopRecording(): Promise<void> {
+    const session = this.#session;
+    if (!session || !this.#recording) return;
+    this.#recording = false;
+    this.#recovering = true;
+    this.#host.requestUpdate();
+    const settings = this.#settings;
+    const stamp = new Date().toISOString().slice(0, 19).replaceAll(':', '-');
+    try {
+      const recorder = this.#recorder;
+      this.#recorder = null;
+      const name = `recording-${stamp}.${recorder?.mimeType.includes('mp4') ? 'mp4' : 'webm'}`;
+      const clip = await session.stopRecording(name);
+      if (!clip) {
+        await recorder?.cancel();
+        this.#page.say({
+          error:
+            'Nothing was recorded: nobody was seen, or it was too short; record for a second or more.',
+        });
+        return;
+      }
+      const { width, height } = clip.source;
+      const blob = recorder
+        ? await recorder.finish()
+        : await blankVideo(clip.poses2d.times, width / height);
+      this.stop();
+      this.#page.recorded({ blob, name, blank: !recorder }, clip, settings);
+    } catch (error) {
+      this.#fail(error);
+    } finally {
+      this.#recovering = false;
+      this.#host.requestUpdate();
+    }
+  }
+
+  #open(): void {
+    this.#engine ??= createEngine();
+    const session = this.#engine.live(this.#sessionSettings());
+    this.#session = session;
+    session.onStatus = () => this.#host.requestUpdate();
+    session.onError = (error) => this.#fail(error);
+    this.#reportTimer = setInterval(() => {
+      this.#report = session.report;
+      this.#host.requestUpdate();
+    }, REPORT_MS) as unknown as number;
+    this.#drawnFrame = null;
+    this.#governor = new DrawGovernor();
+    this.#frameRequest = requestAnimationFrame(this.#draw);
+  }
+
+  #sessionSettings() {
+    const { mode, load } = this.#choices;
+    return { ...this.#settings, mode, load };
+  }
+
+  readonly #draw = (stamp: number) => {
+    const session = this.#session;
+    if (!session) return;
+    this.#frameRequest = requestAnimationFrame(this.#draw);
+    const view = session.view(performance.now() / 1000);
+    const fresh = view.frame !== this.#drawnFrame;
+    if (this.#page.isSlowToDraw() && !fresh) return;
+    this.#drawnFrame = view.frame;
+    this.#page.draw(view, this.#governor.offer(stamp));
+  };
+
+  readonly #seen = () => {
+    // The browser draws nothing in a hidden tab; figures would tell of that alone.
+    if (document.hidden) this.#report = null;
+    this.#host.requestUpdate();
+  };
+
+  readonly #devicesChanged = async () => {
+    if (!this.#camera) return;
+    this.#cameras = await listCameras();
+    this.#host.requestUpdate();
+  };
+
+  #fail(error: unknown): void {
+    this.stop();
+    this.#page.say({ error: messageOf(error), status: '' });
+  }
+
+  async #dropPictures(): Promise<void> {
+    const pictures = this.#pictures;
+    this.#pictures = null;
+    this.#recorder = null;
+    const recorder = await pictures?.catch(() => null);
+    // Finished already where the recording was kept.
+    await recorder?.cancel().catch(() => {});
+  }
+}
+
+function messageOf(error: unknown): string {
+  if (error instanceof DeciWatchError) return error.message;
+  const detail = error instanceof Error ? error.message : String(error);
+  return `Something failed that should not have (${detail}): please start the camera again.`;
+}

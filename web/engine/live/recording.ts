@@ -1,0 +1,68 @@
+import type { PoseEstimate } from '../../estimators/estimator.ts';
+import type { SeenSample } from '../../recovery/watched-clip.ts';
+import type { ClipInfo } from '../../sources/clip.ts';
+
+/** Fewer frames are no movement. */
+const FEWEST_FRAMES = 2;
+
+/** What has to be kept of live playback to recover it afterwards like a file. */
+export class Recording {
+  #times: number[] = [];
+  #watched: number[] = [];
+  #seen: SeenSample[] = [];
+  #estimatorMs = 0;
+
+  /** Seconds on the page's clock: the first watched frame's; null until there is one. */
+  get since(): number | null {
+    return this.#times[0] ?? null;
+  }
+
+  /**
+   * A camera frame; the recording begins with the first one that is watched.
+   * @param time seconds on the page's clock
+   */
+  addFrame(time: number, watched: boolean): void {
+    if (watched || this.#times.length > 0) this.#times.push(time);
+  }
+
+  /** What the estimator found in one of them. */
+  addWatched(time: number, estimate: PoseEstimate | null, estimatorMs: number): void {
+    const frame = this.#times.indexOf(time);
+    if (frame < 0) return;
+    this.#watched.push(frame);
+    this.#estimatorMs += estimatorMs;
+    if (estimate) this.#seen.push({ frame, estimate });
+  }
+
+  /**
+   * The stretch from the first watched frame to the last one, times from 0; null where it is too short,
+   * or nobody was seen in it.
+   */
+  finish(name: string, width: number, height: number) {
+    const first = this.#watched[0];
+    const last = this.#watched.at(-1);
+    if (first === undefined || last === undefined || this.#seen.length === 0) return null;
+    const frameCount = last - first + 1;
+    if (frameCount < FEWEST_FRAMES) return null;
+    const begin = this.#times[first]!;
+    const times = Float64Array.from(this.#times.slice(first, last + 1), (time) => time - begin);
+    const period = times.at(-1)! / (frameCount - 1);
+    const duration = times.at(-1)! + period;
+    const info: ClipInfo = {
+      name,
+      width,
+      height,
+      frameCount,
+      frameRate: frameCount / duration,
+      duration,
+    };
+    return {
+      info,
+      times,
+      begin,
+      watched: this.#watched.map((frame) => frame - first),
+      seen: this.#seen.map(({ frame, estimate }) => ({ frame: frame - first, estimate })),
+      estimatorMs: this.#estimatorMs,
+    };
+  }
+}

@@ -1,0 +1,78 @@
+import { netFlops } from '../../cost/flops.ts';
+import { CostMeter } from '../../cost/meter.ts';
+import type { EstimatorImage } from '../../estimators/estimator.ts';
+import { LiveRecoverer } from '../../recovery/live-recoverer.ts';
+import type { Models } from '../models.ts';
+import type { RecoveredClip } from '../types.ts';
+import type { LiveNeeds, RecordedStretch, WatchAnswer, WatchRequest } from './messages.ts';
+import { isSomebody } from './presence.ts';
+
+const NEVER = new AbortController().signal;
+
+/** The worker's half of live playback. Uses the worker's models, which stay its own. */
+export class LiveWork {
+  #live: LiveRecoverer | undefined;
+
+  constructor(private readonly models: Models) {}
+
+  /** Loads and warms what is needed; returns the FLOPs of one estimator call. @throws DeciWatchError */
+  async prepare({ estimator, forecast }: LiveNeeds): Promise<number> {
+    const recoverer = await this.models.recoverer(NEVER);
+    if (forecast) await recoverer.loadForecasts(NEVER);
+    this.#live = undefined;
+    return (await this.models.estimator(estimator, NEVER)).flops;
+  }
+
+  /** Looks at one frame, and recovers what can be recovered from it. */
+  async watch(image: EstimatorImage, request: WatchRequest): Promise<WatchAnswer> {
+    const recoverer = await this.models.recoverer(NEVER);
+    const estimator = await this.models.estimator(request.estimator, NEVER);
+    if (request.ahead.length > 0) await recoverer.loadForecasts(NEVER);
+    if (request.afresh || !this.#live) this.#live = new LiveRecoverer(recoverer);
+    const start = performance.now();
+    const seen = await estimator.estimate(image, request.time * 1000);
+    const estimatorMs = performance.now() - start;
+    const estimate = isSomebody(seen) ? seen : null;
+    const { recovered, forecast, runs } = await this.#live.add({ ...request, estimate });
+    const answer = { denoiseMs: 0, recoverMs: 0, denoiseFlops: 0, recoverFlops: 0 };
+    for (const { entry, samples, frames, denoiseMs, recoverMs, ahead, forecastMs } of runs) {
+      answer.denoiseMs += denoiseMs;
+      answer.denoiseFlops += netFlops(entry.denoise.flops, samples, frames);
+      answer.recoverMs += recoverMs + (forecastMs ?? 0);
+      answer.recoverFlops += netFlops(entry.recover.flops, samples, frames);
+      if (ahead && entry.forecast) {
+        answer.recoverFlops += netFlops(entry.forecast.flops, samples, ahead);
+      }
+    }
+    return { kind: 'watched', estimate, recovered, forecast, estimatorMs, ...answer };
+  }
+
+  /** Recovers a recorded stretch as a file would be. */
+  async recoverStretch(stretch: RecordedStretch): Promise<RecoveredClip> {
+    const { info, times, watched, seen, every, estimator } = stretch;
+    const recoverer = await this.models.recoverer(NEVER);
+    const start = performance.now();
+    const meter = new CostMeter(estimator.flops);
+    for (const _ of watched) meter.addEstimatorCall(stretch.estimatorMs / watched.length);
+    const poses = await recoverer.recover(
+      { times, watched, seen, every },
+      ({ entry, samples, frames, denoiseMs, recoverMs }) => {
+        meter.addDenoise(netFlops(entry.denoise.flops, samples, frames), denoiseMs);
+        meter.addRecover(netFlops(entry.recover.flops, samples, frames), recoverMs);
+      },
+    );
+    const wallMs = performance.now() - start + stretch.estimatorMs;
+    return {
+      source: info,
+      interval: every,
+      estimator,
+      ...poses,
+      cost: meter.report(info.frameCount, wallMs),
+    };
+  }
+
+  /** Forgets the samples. */
+  stop(): void {
+    this.#live = undefined;
+  }
+}
