@@ -37,7 +37,8 @@ export class OpenFrames {
   }
 
   get count(): number {
-    return this.#open.size;
+    // One that was handed to a worker has no pixels here any more.
+    return [...this.#open].filter(({ codedWidth }) => codedWidth > 0).length;
   }
 
   restore(): void {

@@ -2,6 +2,9 @@ import { type Browser, chromium, type Page, type Request } from 'playwright-core
 import { CHROMIUM_ARGS, findChromium } from '../../web/cli/chromium.ts';
 import { buildAndServe, type Site } from '../../web/cli/site.ts';
 
+/** A name that the site answers to, and that no browser takes for a secure one. */
+export const INSECURE_HOST = 'insecure.test';
+
 /** The built demo and a browser to visit it with. */
 export class Visit {
   private constructor(
@@ -10,7 +13,7 @@ export class Visit {
   ) {}
 
   static async start(): Promise<Visit> {
-    const site = await buildAndServe('index.html');
+    const site = await buildAndServe('index.html', [INSECURE_HOST]);
     const browser = await chromium.launch({
       executablePath: await findChromium(),
       args: [...CHROMIUM_ARGS],

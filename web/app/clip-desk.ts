@@ -3,6 +3,7 @@ import type { RecoveredClip } from '../engine/types.ts';
 import { costHeadline } from './cost-words.ts';
 import { pickVideo } from './dropped-file.ts';
 import { formatCount } from './format.ts';
+import type { PageEngine } from './page-engine.ts';
 import { type ClipFile, type Job, RecoverJob } from './recover-job.ts';
 import { fetchSample } from './sample.ts';
 import { savePoses } from './save-poses.ts';
@@ -50,12 +51,12 @@ export class ClipDesk implements ReactiveController {
   /** Playback pauses while a job runs, so that the milliseconds measured are the job's own. */
   #resume = false;
 
-  constructor(host: ReactiveControllerHost, player: DeskPlayer) {
+  constructor(host: ReactiveControllerHost, engine: PageEngine, player: DeskPlayer) {
     this.#host = host;
     this.#player = player;
     // Before the job's own controller, which forgets its file when it is disconnected.
     host.addController(this);
-    this.#work = new RecoverJob<OpenFile>(host, {
+    this.#work = new RecoverJob<OpenFile>(host, engine, {
       done: (file, clip) => this.#finish(file, clip),
       failed: (file, message) => this.#fail(file, message),
     });
@@ -149,7 +150,8 @@ export class ClipDesk implements ReactiveController {
     const file = this.#work.job?.file ?? this.#shown?.file;
     if (!file || this.waiting) return;
     if (file.blank) {
-      this.#settings = this.#shown?.result?.settings ?? settings;
+      // A new object, so that the controls show again what is in force.
+      this.#settings = { ...(this.#shown?.result?.settings ?? settings) };
       this.#say({ note: BLANK });
       return;
     }

@@ -17,6 +17,7 @@ import { type LiveChoices, LiveDesk } from './live/live-desk.ts';
 import './live/live-view.ts';
 import type { LiveView, ShownFrame } from './live/live-view.ts';
 import { liveWords, loadWords } from './live/live-words.ts';
+import { PageEngine } from './page-engine.ts';
 import { pageState } from './page-state.ts';
 import type { PlaybackState } from './playback.ts';
 import './progress-card.ts';
@@ -47,7 +48,8 @@ export class DeciWatchApp extends LitElement {
   @query('dw-stage-view') private stage!: StageView | null;
   @query('dw-clip-bar') private bar!: ClipBar;
   @query('dw-shortcuts-dialog') private keys!: ShortcutsDialog;
-  private readonly desk = new ClipDesk(this, {
+  private readonly engine = new PageEngine(this);
+  private readonly desk = new ClipDesk(this, this.engine, {
     isPlaying: () => this.playing,
     play: () => void this.view?.playback?.play(),
     pause: () => this.view?.playback?.pause(),
@@ -55,7 +57,7 @@ export class DeciWatchApp extends LitElement {
       this.frame = 0;
     },
   });
-  private readonly live = new LiveDesk(this, {
+  private readonly live = new LiveDesk(this, this.engine, {
     draw: (moment, stage) => this.drawLive(moment, stage),
     isSlowToDraw: () => this.stage?.isSoftware ?? false,
     recorded: (file, clip, settings) => this.desk.showRecording(file, clip, settings),

@@ -1,7 +1,7 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
-import { createEngine } from '../engine/client.ts';
-import type { Engine, RecoveredClip, RecoverProgress } from '../engine/types.ts';
+import type { RecoveredClip, RecoverProgress } from '../engine/types.ts';
 import { DeciWatchError } from '../errors.ts';
+import type { PageEngine } from './page-engine.ts';
 import { NOT_STARTED } from './progress-words.ts';
 import type { Settings } from './settings.ts';
 
@@ -28,19 +28,20 @@ export interface JobOutcomes<TFile extends ClipFile> {
 }
 
 /**
- * Runs one job at a time on an engine that it owns: a new one aborts the one before. Re-renders its host
+ * Runs one job at a time on the page's engine: a new one aborts the one before. Re-renders its host
  * as the job goes on.
  */
 export class RecoverJob<TFile extends ClipFile> implements ReactiveController {
   readonly #host: ReactiveControllerHost;
   readonly #outcomes: JobOutcomes<TFile>;
-  #engine: Engine | null = null;
+  readonly #engine: PageEngine;
   #job: Job<TFile> | null = null;
   #abort: AbortController | null = null;
   #timer = 0;
 
-  constructor(host: ReactiveControllerHost, outcomes: JobOutcomes<TFile>) {
+  constructor(host: ReactiveControllerHost, engine: PageEngine, outcomes: JobOutcomes<TFile>) {
     this.#host = host;
+    this.#engine = engine;
     this.#outcomes = outcomes;
     host.addController(this);
   }
@@ -66,8 +67,6 @@ export class RecoverJob<TFile extends ClipFile> implements ReactiveController {
 
   hostDisconnected(): void {
     this.cancel();
-    this.#engine?.close();
-    this.#engine = null;
   }
 
   async #run(file: TFile, settings: Settings): Promise<void> {
@@ -75,8 +74,7 @@ export class RecoverJob<TFile extends ClipFile> implements ReactiveController {
     const { signal } = abort;
     this.#abort = abort;
     try {
-      this.#engine ??= createEngine();
-      const clip = await this.#engine.recover(file.blob, file.name, {
+      const clip = await this.#engine.get().recover(file.blob, file.name, {
         ...settings,
         signal,
         onProgress: (progress) => {

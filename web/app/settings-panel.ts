@@ -1,5 +1,6 @@
 import { css, html, LitElement, nothing } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
+import { live } from 'lit/directives/live.js';
 import { ESTIMATOR_NAMES, type EstimatorName } from '../estimators/names.ts';
 import { MAX_INTERVAL, MIN_INTERVAL } from '../sampling/watched.ts';
 import { ESTIMATOR_WORDS, fetchEstimatorFigures } from './estimator-words.ts';
@@ -69,7 +70,7 @@ export class SettingsPanel extends LitElement {
           step="1"
           aria-labelledby="every-label"
           aria-valuetext="one frame in ${every}"
-          .value=${String(every)}
+          .value=${live(String(every))}
           @input=${this.setEvery}
         />
         <div class="ends" aria-hidden="true"><span>every frame</span><span>one in ${MAX_INTERVAL}</span></div>
@@ -92,7 +93,7 @@ export class SettingsPanel extends LitElement {
                 type="radio"
                 name="estimator"
                 data-testid="estimator-${name}"
-                .checked=${name === estimator}
+                .checked=${live(name === estimator)}
                 @change=${() => this.change({ every, estimator: name })}
               />
               <strong>${ESTIMATOR_WORDS[name].label}</strong>

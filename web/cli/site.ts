@@ -16,8 +16,9 @@ export interface Site {
 /**
  * Builds a page of the project as it is shipped and serves it on a free port of the loopback
  * address. `page` is relative to the project's root; the build lives in a temporary folder.
+ * @param allowedHosts names beside localhost that it answers to
  */
-export async function buildAndServe(page: string): Promise<Site> {
+export async function buildAndServe(page: string, allowedHosts: string[] = []): Promise<Site> {
   const outDir = await mkdtemp(join(tmpdir(), 'deciwatch-site-'));
   const remove = () => rmSync(outDir, { recursive: true, force: true });
   // Interrupted, a command ends without closing what it opened.
@@ -32,7 +33,7 @@ export async function buildAndServe(page: string): Promise<Site> {
       root: PROJECT_ROOT,
       logLevel: 'error',
       build: { outDir },
-      preview: { host: '127.0.0.1', port: 0, strictPort: false, open: false },
+      preview: { host: '127.0.0.1', port: 0, strictPort: false, open: false, allowedHosts },
     });
     const url = server.resolvedUrls?.local[0];
     if (!url) throw new Error('The built page could not be served on 127.0.0.1.');

@@ -1,5 +1,4 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
-import { createEngine } from '../../engine/client.ts';
 import type {
   LiveMode,
   LiveReport,
@@ -8,9 +7,10 @@ import type {
   LiveView,
   LoadPolicy,
 } from '../../engine/live/types.ts';
-import type { Engine, RecoveredClip } from '../../engine/types.ts';
+import type { RecoveredClip } from '../../engine/types.ts';
 import { DeciWatchError } from '../../errors.ts';
 import { type Camera, type CameraChoice, listCameras, openCamera } from '../../sources/camera.ts';
+import type { PageEngine } from '../page-engine.ts';
 import type { ClipFile } from '../recover-job.ts';
 import { DEFAULT_SETTINGS, type Settings } from '../settings.ts';
 import { DrawGovernor } from './draw-governor.ts';
@@ -52,7 +52,7 @@ export interface LivePage {
 export class LiveDesk implements ReactiveController {
   readonly #host: ReactiveControllerHost;
   readonly #page: LivePage;
-  #engine: Engine | null = null;
+  readonly #engine: PageEngine;
   #camera: Camera | null = null;
   #session: LiveSession | null = null;
   #opening = false;
@@ -69,8 +69,9 @@ export class LiveDesk implements ReactiveController {
   #pictures: Promise<PictureRecorder | null> | null = null;
   #recorder: PictureRecorder | null = null;
 
-  constructor(host: ReactiveControllerHost, page: LivePage) {
+  constructor(host: ReactiveControllerHost, engine: PageEngine, page: LivePage) {
     this.#host = host;
+    this.#engine = engine;
     this.#page = page;
     host.addController(this);
   }
@@ -127,8 +128,6 @@ export class LiveDesk implements ReactiveController {
     document.removeEventListener('visibilitychange', this.#seen);
     navigator.mediaDevices?.removeEventListener('devicechange', this.#devicesChanged);
     this.stop();
-    this.#engine?.close();
-    this.#engine = null;
   }
 
   /**
@@ -254,8 +253,7 @@ export class LiveDesk implements ReactiveController {
   }
 
   #open(): void {
-    this.#engine ??= createEngine();
-    const session = this.#engine.live(this.#sessionSettings());
+    const session = this.#engine.get().live(this.#sessionSettings());
     this.#session = session;
     session.onStatus = () => this.#host.requestUpdate();
     session.onError = (error) => this.#fail(error);

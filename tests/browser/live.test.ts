@@ -1,0 +1,210 @@
+import { afterEach, beforeEach, describe, expect, test } from 'vitest';
+import { createEngine } from '../../web/engine/client.ts';
+import type { LivePose, LiveSession, LiveSettings } from '../../web/engine/live/types.ts';
+import type { Engine } from '../../web/engine/types.ts';
+import { hasPose } from '../../web/pose/sequence.ts';
+import { openCamera } from '../../web/sources/camera.ts';
+import { CanvasCamera } from './canvas-camera.ts';
+import { OpenFrames } from './open-frames.ts';
+
+const SETTINGS: LiveSettings = { every: 8, estimator: 'lite', mode: 'smooth', load: 'skip' };
+const MINUTE = 60_000;
+
+let camera: CanvasCamera;
+let engine: Engine;
+let session: LiveSession;
+
+beforeEach(async () => {
+  camera = await CanvasCamera.start();
+  engine = createEngine();
+});
+afterEach(() => {
+  engine.close();
+  camera.close();
+});
+
+function start(settings: Partial<LiveSettings> = {}): void {
+  session = engine.live({ ...SETTINGS, ...settings });
+  camera.feed(session);
+}
+
+async function until(state: string): Promise<void> {
+  await expect.poll(() => view() && session.status.state, { timeout: MINUTE }).toBe(state);
+}
+
+function view() {
+  return session.view(performance.now() / 1000);
+}
+
+/** What is drawn at each picture of the screen, for some seconds. */
+async function watch(seconds: number): Promise<(LivePose | null)[]> {
+  const poses: (LivePose | null)[] = [];
+  const end = performance.now() + 1000 * seconds;
+  while (performance.now() < end) {
+    await new Promise(requestAnimationFrame);
+    poses.push(view().pose);
+  }
+  return poses;
+}
+
+const values = ({ values2d, values3d, scores }: LivePose) => [...values2d, ...values3d, ...scores];
+
+/** The farthest that any keypoint moves from one picture to the next, in pixels. */
+function farthestStep(poses: readonly (LivePose | null)[]): number {
+  let farthest = 0;
+  for (const [i, pose] of poses.entries()) {
+    const before = poses[i - 1];
+    if (!before || !pose) continue;
+    pose.values2d.forEach((value, k) => {
+      farthest = Math.max(farthest, Math.abs(value - before.values2d[k]!));
+    });
+  }
+  return farthest;
+}
+
+describe.each(['smooth', 'now'] as const)('live playback, %s', (mode) => {
+  test('follows somebody through every picture of the screen, and leaves no frame open', async () => {
+    const open = new OpenFrames();
+    try {
+      start({ mode });
+      await until('following');
+      await watch(1.5);
+      const before = { ...session.totals };
+      const poses = await watch(2);
+      const frames = session.totals.frames - before.frames;
+      const calls = session.totals.calls - before.calls;
+      expect(frames).toBeGreaterThan(20);
+      expect(calls).toBeGreaterThan(0);
+      expect(calls / frames).toBeLessThan(0.2);
+      expect(poses.filter(Boolean).length).toBe(poses.length);
+      expect(poses.every((pose) => values(pose!).every(Number.isFinite))).toBe(true);
+      // The skeleton moves, and never leaps: the picture is 640 pixels wide.
+      expect(farthestStep(poses)).toBeGreaterThan(0);
+      expect(farthestStep(poses)).toBeLessThan(64);
+      const { delayMs, flopsRatio } = session.report;
+      expect(flopsRatio).toBeLessThan(0.25);
+      if (mode === 'now') expect(delayMs.median).toBeLessThan(150);
+      else expect(delayMs.median).toBeGreaterThan((1000 * SETTINGS.every) / 30);
+    } finally {
+      session.close();
+      open.restore();
+    }
+    expect(open.seen).toBeGreaterThan(0);
+    await expect.poll(() => open.count).toBe(0);
+  });
+
+  test('somebody who leaves fades away, and comes back without a leap', async () => {
+    start({ mode });
+    await until('following');
+    await watch(1);
+    camera.empty = true;
+    const leaving = await watch(2.5);
+    expect(['lost', 'looking']).toContain(session.status.state);
+    expect(leaving.at(-1)).toBeNull();
+    const presences = leaving.filter(Boolean).map((pose) => pose!.presence);
+    expect(presences.some((presence) => presence > 0 && presence < 1)).toBe(true);
+    await until('looking');
+    camera.empty = false;
+    const coming = await watch(2.5);
+    expect(session.status.state).toBe('following');
+    const first = coming.find(Boolean)!;
+    expect(first.presence).toBeLessThan(0.7);
+    expect(coming.at(-1)!.presence).toBe(1);
+    for (const pose of [...leaving, ...coming]) {
+      if (!pose) continue;
+      expect(values(pose).every(Number.isFinite)).toBe(true);
+      // Nobody flies through the picture's corner, where zero poses would be.
+      expect(pose.values2d[0]! + pose.values2d[1]!).toBeGreaterThan(20);
+    }
+    expect(farthestStep(coming)).toBeLessThan(64);
+  });
+});
+
+test('a camera that falls silent is said to, and goes on afresh', async () => {
+  start();
+  await until('following');
+  camera.silent = true;
+  const poses = await watch(2);
+  expect(session.status.state).toBe('waiting');
+  expect(poses.at(-1)).toBeNull();
+  camera.silent = false;
+  await until('following');
+  await expect.poll(() => view().pose?.presence, { timeout: MINUTE }).toBe(1);
+});
+
+test('settings change while it runs', async () => {
+  start();
+  await until('following');
+  session.change({ ...SETTINGS, every: 4, mode: 'now', load: 'adapt' });
+  await until('following');
+  await expect.poll(() => view().pose?.presence, { timeout: MINUTE }).toBe(1);
+  expect(session.status.every).toBeGreaterThanOrEqual(4);
+  expect(() => session.change({ ...SETTINGS, every: 0 })).toThrow(/from 1 to 20/);
+});
+
+test('a recording is recovered like a file', async () => {
+  start();
+  await until('following');
+  session.startRecording();
+  await watch(2);
+  const clip = (await session.stopRecording('me.webm'))!;
+  const { poses2d, poses3d, source } = clip;
+  expect(source.frameCount).toBe(poses2d.times.length);
+  expect(source.frameCount).toBeGreaterThan(20);
+  expect(poses2d.times[0]).toBe(0);
+  expect([...poses2d.times].every((time, i, all) => i === 0 || time > all[i - 1]!)).toBe(true);
+  expect(poses2d.watched[0]).toBe(1);
+  for (let frame = 0; frame < source.frameCount; frame++) {
+    expect(hasPose(poses2d, frame) && hasPose(poses3d, frame)).toBe(true);
+  }
+  expect(clip.cost.estimatorCalls).toBe(poses2d.watched.reduce((sum, flag) => sum + flag, 0));
+});
+
+test('a recording of nobody is nothing', async () => {
+  camera.empty = true;
+  start();
+  await until('looking');
+  session.startRecording();
+  await watch(1);
+  expect(await session.stopRecording('nobody.webm')).toBeNull();
+});
+
+test('a second session ends the first, and the engine still recovers files', async () => {
+  start();
+  const first = session;
+  await until('following');
+  start({ mode: 'now' });
+  await until('following');
+  const { frames } = first.totals;
+  await watch(0.3);
+  expect(first.totals.frames).toBe(frames);
+});
+
+describe('the camera', () => {
+  const real = navigator.mediaDevices.getUserMedia;
+  afterEach(() => {
+    navigator.mediaDevices.getUserMedia = real;
+  });
+
+  test.each([
+    ['NotAllowedError', 'camera-refused'],
+    ['NotFoundError', 'camera-missing'],
+    ['NotReadableError', 'camera-busy'],
+  ])('%s is told as %s', async (name, code) => {
+    navigator.mediaDevices.getUserMedia = () => Promise.reject(new DOMException('no', name));
+    await expect(openCamera()).rejects.toMatchObject({ code });
+  });
+
+  test('one that is unplugged is told of once, and closed', async () => {
+    const stream = document.createElement('canvas').captureStream(30);
+    navigator.mediaDevices.getUserMedia = async () => stream;
+    const opened = await openCamera();
+    const told: string[] = [];
+    opened.onLost = (error) => told.push(error.code);
+    const [track] = stream.getVideoTracks();
+    track!.dispatchEvent(new Event('ended'));
+    track!.dispatchEvent(new Event('ended'));
+    expect(told).toEqual(['camera-lost']);
+    expect(track!.readyState).toBe('ended');
+  });
+});

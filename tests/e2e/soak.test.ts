@@ -1,0 +1,14 @@
+import { spawnSync } from 'node:child_process';
+import { expect, test } from 'vitest';
+import { PROJECT_ROOT } from '../../web/cli/site.ts';
+
+test('two minutes of live playback leave memory as it was, and no frame open', () => {
+  const { stdout, stderr, status } = spawnSync(
+    'npx',
+    ['tsx', 'web/cli/soak.ts', '--minutes', '2', '--estimator', 'lite', '--mode', 'now'],
+    { cwd: PROJECT_ROOT, encoding: 'utf8' },
+  );
+  expect(stdout).toMatch(/0 open frames, 1 worker[\s\S]*from minute 0.5 to 2: JS heap/);
+  expect(stderr.replace(/npm warn.*\n/g, '')).toBe('');
+  expect(status).toBe(0);
+}, 240_000);
