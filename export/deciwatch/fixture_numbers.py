@@ -106,8 +106,8 @@ def metric_cases(seed: int) -> dict:
 
 
 def easing_cases() -> dict:
-    """1 − smootherstep, 6x⁵ − 15x⁴ + 10x³ (K. Perlin, "Improving Noise", 2002)."""
-    ages = np.linspace(-0.05, 1.5, 32) * EASE_SECONDS
-    x = np.clip(ages / EASE_SECONDS, 0.0, 1.0)
-    shares = 1 - np.polyval([6, -15, 10, 0, 0, 0], x)
-    return {"seconds": EASE_SECONDS, "ages": ages.tolist(), "shares": shares.tolist()}
+    """An exponential by its limit, (1 - x/n)^n."""
+    ages = np.linspace(0.0, 8.0, 33) * EASE_SECONDS
+    count = 1e9
+    shares = (1 - ages / EASE_SECONDS / count) ** count
+    return {"seconds": EASE_SECONDS, "ages": ages.tolist(), "shares": np.round(shares, 7).tolist()}

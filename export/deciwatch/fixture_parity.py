@@ -7,6 +7,7 @@ import torch
 
 from deciwatch import checkpoint, manifest
 from deciwatch.flops import GraphCounter
+from deciwatch.nets.forecast import ForecastNet
 from deciwatch.nets.pair import Pair
 from deciwatch.normalise import Samples, sampled_values
 from deciwatch.skeleton import INDEX, KEYPOINTS, LANDMARKS, mid_hip
@@ -74,14 +75,16 @@ def estimates(case: dict, rng: np.random.Generator) -> tuple[Samples, np.ndarray
 def parity_cases(path: Path, dims: int, seed: int) -> dict:
     """Inputs and torch's outputs for CASES, in net values and time units, as flat arrays."""
     pair, _ = checkpoint.load_pair(path, dims)
+    forecast, _ = checkpoint.load_forecast(checkpoint.forecast_path(dims), dims)
     cases = [
-        _parity_case(pair, np.random.default_rng(seed + i), case) for i, case in enumerate(CASES)
+        _parity_case(pair, forecast, np.random.default_rng(seed + i), case)
+        for i, case in enumerate(CASES)
     ]
     return {"dims": dims, "keypoints": KEYPOINTS, "width": pair.config.width, "cases": cases}
 
 
 @torch.no_grad()
-def _parity_case(pair: Pair, rng: np.random.Generator, case: dict) -> dict:
+def _parity_case(pair: Pair, forecast: ForecastNet, rng: np.random.Generator, case: dict) -> dict:
     samples, *times = estimates(case, rng)
     sampled = torch.from_numpy(sampled_values(samples, pair.config.inputs))[None]
     sample_times, frame_times = (torch.from_numpy(at)[None] for at in times)
@@ -89,6 +92,8 @@ def _parity_case(pair: Pair, rng: np.random.Generator, case: dict) -> dict:
     recovered = pair.recover(clean, features, sample_times, frame_times)
     arrays = {"sampled": sampled, "sampleTimes": sample_times, "frameTimes": frame_times}
     arrays |= {"clean": clean, "features": features, "poses": recovered}
+    ahead = sample_times[:, -1:] + torch.tensor([[0.0, 0.5, 3.0, 11.5]])
+    arrays |= {"aheadTimes": ahead, "forecast": forecast(sampled, sample_times, ahead)[1]}
     shapes = {name: list(array.shape) for name, array in arrays.items()}
     sizes = {"samples": sampled.shape[1], "frames": frame_times.shape[1]}
     return {"name": case["name"], **sizes, "shapes": shapes} | {
@@ -100,7 +105,10 @@ def flops_cases(folder: Path) -> dict:
     """FLOPs of each net at several S and T, counted in the graph and not by the polynomial."""
     counted = {}
     for name, pair in manifest.read(folder)["pairs"].items():
-        counters = {kind: GraphCounter(folder / pair[kind]["file"]) for kind in manifest.KINDS}
+        counters = {
+            kind: GraphCounter(folder / pair[kind]["file"])
+            for kind in (*manifest.KINDS, manifest.FORECAST)
+        }
         counted[name] = [
             {"samples": samples, "frames": frames}
             | {kind: counter.count(samples, frames) for kind, counter in counters.items()}

@@ -31,7 +31,7 @@ class ForecastValidation:
     def of(self, net: ForecastNet) -> dict[str, float]:
         """Errors of a net; leaves it in evaluation mode."""
         net.eval()
-        return self._errors(lambda future: forecast(self.pair, net, future).numpy())
+        return self._errors(lambda future: forecast(net, future)[1].numpy())
 
     def _errors(self, method: Callable[[Future], np.ndarray]) -> dict[str, float]:
         total = count = 0.0

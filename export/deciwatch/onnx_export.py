@@ -11,7 +11,7 @@ import numpy as np
 import onnx
 import onnxruntime
 import torch
-from torch import nn
+from torch import Tensor, nn
 
 from deciwatch.nets.forecast import ForecastNet
 from deciwatch.nets.pair import Pair
@@ -23,6 +23,7 @@ NAMES = {
     "denoise": (("sampled", "sample_times"), ("clean", "features")),
     "recover": (("clean", "features", "sample_times", "frame_times"), ("poses",)),
 }
+FORECAST_NAMES = (("sampled", "sample_times", "frame_times"), ("poses",))
 
 
 def example(pair: Pair, samples: int, frames: int, seed: int, even: bool = True) -> tuple:
@@ -43,7 +44,7 @@ def example(pair: Pair, samples: int, frames: int, seed: int, even: bool = True)
 
 @torch.no_grad()
 def _convert(net: nn.Module, kind: str, arguments: tuple, dims: dict[str, dict]) -> bytes:
-    ins, outs = NAMES[kind]
+    ins, outs = (NAMES | {"forecast": FORECAST_NAMES})[kind]
     with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()):
         path = Path(folder) / "net.onnx"
         logging.getLogger("torch.onnx").setLevel(logging.ERROR)
@@ -97,18 +98,29 @@ def convert_forecast(net: ForecastNet) -> bytes:
     """A ForecastNet as a graph: float32, batch 1, any S and T."""
     arrays = forecast_example(net, 5, 13, seed=0)
     count, frames = torch.export.Dim("S", min=2), torch.export.Dim("T", min=2)
-    dims = {name: {1: count} for name in ("clean", "features", "sample_times")}
-    return _convert(net.eval(), "recover", arrays, dims | {"frame_times": {1: frames}})
+    dims = {"sampled": {1: count}, "sample_times": {1: count}, "frame_times": {1: frames}}
+    return _convert(Poses(net).eval(), "forecast", arrays, dims)
+
+
+class Poses(nn.Module):
+    """A ForecastNet's poses alone."""
+
+    def __init__(self, net: ForecastNet) -> None:
+        super().__init__()
+        self.net = net
+
+    def forward(self, sampled: Tensor, sample_times: Tensor, frame_times: Tensor) -> Tensor:
+        """As ForecastNet."""
+        return self.net(sampled, sample_times, frame_times)[1]
 
 
 def forecast_example(net: ForecastNet, samples: int, frames: int, seed: int) -> tuple:
-    """Random clean [1, S, K·D], features [1, S, C], sample_times [1, S], frame_times [1, T]."""
+    """Random sampled [1, S, I], sample_times [1, S], frame_times [1, T] after the last of them."""
     rng = np.random.default_rng(seed)
     times = np.cumsum(rng.uniform(1.0, 12.0, size=samples))
     ahead = times[-1] + np.cumsum(rng.uniform(0.0, 2.0, size=frames))
     arrays = (
-        0.5 * rng.standard_normal((1, samples, net.config.values)),
-        rng.standard_normal((1, samples, net.config.features)),
+        0.5 * rng.standard_normal((1, samples, net.config.pair.channels)),
         times[None] - times[0],
         ahead[None] - times[0],
     )
@@ -121,9 +133,9 @@ def forecast_difference(net: ForecastNet, graph: bytes) -> float:
     run, worst = session(graph), 0.0
     for seed, (samples, frames) in enumerate(((2, 1), (2, 14), (7, 3), (11, 30))):
         arrays = forecast_example(net, samples, frames, seed)
-        names = NAMES["recover"][0]
+        names = FORECAST_NAMES[0]
         got = run.run(None, {x: a.numpy() for x, a in zip(names, arrays, strict=True)})[0]
-        worst = max(worst, float(np.abs(got - net(*arrays).numpy()).max()))
+        worst = max(worst, float(np.abs(got - net(*arrays)[1].numpy()).max()))
     return worst
 
 

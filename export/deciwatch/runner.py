@@ -18,6 +18,7 @@ if TYPE_CHECKING:  # torch is slow to import, and onnx_nets does without
 Denoise = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
 # clean, features, sample_times [1, S], frame_times [1, T] → poses [1, T, K·D]
 Recover = Callable[[np.ndarray, np.ndarray, np.ndarray, np.ndarray], np.ndarray]
+Forecast = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
 
 
 @dataclass(frozen=True)
@@ -28,8 +29,8 @@ class Nets:
     inputs: tuple[str, ...]
     denoise: Denoise
     recover: Recover
-    # As recover, at times from the last sample on; None where there is no ForecastNet.
-    forecast: Recover | None = None
+    # sampled, times [1, S], and [1, T] from the last sample on → poses [1, T, K·D]; it may lack
+    forecast: Forecast | None = None
 
     def run(
         self, sampled: np.ndarray, sample_times: np.ndarray, frame_times: np.ndarray
@@ -65,7 +66,7 @@ def recover_window(
 def onnx_nets(folder: Path, dims: int) -> Nets:
     """The nets of a models folder. Raises UserError where the manifest or a file is missing."""
     from deciwatch import manifest
-    from deciwatch.onnx_export import NAMES, session
+    from deciwatch.onnx_export import FORECAST_NAMES, NAMES, session
 
     pairs = manifest.read(folder)["pairs"]
     name = f"{dims}d"
@@ -83,7 +84,7 @@ def onnx_nets(folder: Path, dims: int) -> Nets:
         ) from error
 
     def run(kind: str, *arrays: np.ndarray) -> list[np.ndarray]:
-        names = NAMES["denoise" if kind == "denoise" else "recover"][0]
+        names = (NAMES | {manifest.FORECAST: FORECAST_NAMES})[kind][0]
         return graphs[kind].run(None, dict(zip(names, arrays, strict=True)))
 
     return Nets(

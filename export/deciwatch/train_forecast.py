@@ -35,6 +35,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--decay", type=float, default=0.05)
     parser.add_argument("--minutes", type=float, default=20.0)
     parser.add_argument("--every", type=float, default=2.0, help="minutes between checkpoints")
+    parser.add_argument(
+        "--head-first",
+        type=float,
+        default=0.5,
+        metavar="SHARE",
+        help="of the budget in which its DenoiseNet stays its pair's (default 0.5)",
+    )
+    parser.add_argument("--start-from", metavar="FILE", help="begin with a checkpoint's weights")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--resume", action="store_true", help="go on from runs/NAME/last.pt")
 
@@ -71,14 +79,18 @@ def run(args: argparse.Namespace) -> int:
     )
     seen = load_pairs([Path(args.val_pairs)], inputs)
     validation = ForecastValidation(pair_validation(seen, inputs, args.val_pairs), pair)
-    config = ForecastConfig(
-        args.dims, pair.config.width, args.width, args.blocks, 2 * args.width, args.dropout
-    )
+    config = ForecastConfig(pair.config, args.width, args.blocks, 2 * args.width, args.dropout)
     recipe = Recipe(
-        minutes=args.minutes, rate=args.rate, decay=args.decay, seed=args.seed, denoise_first=0.0
+        minutes=args.minutes,
+        rate=args.rate,
+        decay=args.decay,
+        seed=args.seed,
+        denoise_first=args.head_first,
     )
     trainer = ForecastTrainer(config, recipe, sources, pair)
     folder = RUNS / (args.name or f"{args.dims}d-forecast")
+    if args.start_from:
+        trainer.start_from(Path(args.start_from))
     if args.resume:
         trainer.resume(folder / "last.pt")
     print(json.dumps({"hidden": validation.baselines}), flush=True)

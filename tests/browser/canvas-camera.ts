@@ -5,7 +5,7 @@ import { walk } from './fixtures.ts';
 
 const WIDTH = 640;
 
-/** A canvas as a camera: it shows a real person walking, or an empty room, thirty times a second. */
+/** A canvas as a camera: it shows a real person walking, or an empty room. */
 export class CanvasCamera {
   readonly video = document.createElement('video');
   /** Nobody is in view. */
@@ -21,7 +21,8 @@ export class CanvasCamera {
     private readonly pictures: readonly ImageBitmap[],
   ) {}
 
-  static async start(): Promise<CanvasCamera> {
+  /** @param rate frames a second */
+  static async start(rate = 30): Promise<CanvasCamera> {
     const clip = await openFile(await walk(), 'walk.mp4');
     const height = 2 * Math.round((WIDTH * clip.info.height) / clip.info.width / 2);
     const pictures: ImageBitmap[] = [];
@@ -39,10 +40,10 @@ export class CanvasCamera {
     const canvas = Object.assign(document.createElement('canvas'), { width: WIDTH, height });
     const camera = new CanvasCamera(canvas, pictures);
     camera.video.muted = true;
-    camera.video.srcObject = canvas.captureStream(30);
+    camera.video.srcObject = canvas.captureStream(rate);
     camera.video.style.width = '320px';
     document.body.append(camera.video);
-    camera.#timer = setInterval(() => camera.#draw(), 1000 / 30) as unknown as number;
+    camera.#timer = setInterval(() => camera.#draw(), 1000 / rate) as unknown as number;
     await camera.video.play();
     return camera;
   }

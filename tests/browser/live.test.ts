@@ -132,6 +132,19 @@ test('a camera that falls silent is said to, and goes on afresh', async () => {
   await expect.poll(() => view().pose?.presence, { timeout: MINUTE }).toBe(1);
 });
 
+test.each([12, 60])('follows a camera of %i frames a second', async (rate) => {
+  camera.close();
+  camera = await CanvasCamera.start(rate);
+  start({ every: rate === 12 ? 4 : 20 });
+  await until('following');
+  await watch(1);
+  const before = { ...session.totals };
+  const poses = await watch(2);
+  expect(Math.abs(session.status.frameRate - rate)).toBeLessThan(rate * 0.35);
+  expect(session.totals.frames - before.frames).toBeGreaterThan(rate);
+  expect(poses.every((pose) => pose?.presence === 1)).toBe(true);
+});
+
 test('settings change while it runs', async () => {
   start();
   await until('following');

@@ -35,11 +35,13 @@ describe.each([
 ] as const)('the %s nets give what torch gave', (name, { cases }) => {
   let denoise: Net;
   let recover: Net;
+  let forecast: Net;
   beforeAll(async () => {
     const pair = manifest.pairs[name];
     denoise = await Net.create(await fetchListed(MANIFEST_URL, pair.denoise));
     recover = await Net.create(await fetchListed(MANIFEST_URL, pair.recover));
-    return () => Promise.all([denoise.dispose(), recover.dispose()]);
+    forecast = await Net.create(await fetchListed(MANIFEST_URL, pair.forecast!));
+    return () => Promise.all([denoise.dispose(), recover.dispose(), forecast.dispose()]);
   });
 
   test.each<Case>(cases)('$name: S = $samples, T = $frames', async (one) => {
@@ -58,6 +60,12 @@ describe.each([
     });
     expect(poses!.dims).toEqual(one.shapes.poses);
     expect(greatestDifference(poses!.data, one.poses)).toBeLessThan(TOLERANCE);
+    const ahead = await forecast.run({
+      sampled: given(one, 'sampled'),
+      sample_times: given(one, 'sampleTimes'),
+      frame_times: given(one, 'aheadTimes'),
+    });
+    expect(greatestDifference(ahead.poses!.data, one.forecast)).toBeLessThan(TOLERANCE);
   });
 
   test('runs that are asked for at once wait for one another', async () => {

@@ -10,18 +10,19 @@ it('evaluates the FLOPs polynomial of the manifest', () => {
 });
 
 it("agrees with the FLOPs counted in the nets' graphs", () => {
-  type Net = 'denoise' | 'recover';
+  type Net = 'denoise' | 'recover' | 'forecast';
   type Counted = Record<'samples' | 'frames' | Net, number>;
   type Manifest = { pairs: Record<string, Record<Net, { flops: FlopsPolynomial }>> };
   const { pairs } = readFixture<{ pairs: Record<string, Counted[]> }>('flops.json');
   const manifest = readJson<Manifest>('public/models/manifest.json');
   expect(Object.keys(pairs).toSorted()).toEqual(Object.keys(manifest.pairs).toSorted());
   for (const [name, calls] of Object.entries(pairs)) {
-    const { denoise, recover } = manifest.pairs[name]!;
+    const { denoise, recover, forecast } = manifest.pairs[name]!;
     expect(calls.length).toBeGreaterThan(6);
     for (const call of calls) {
       expect(netFlops(denoise.flops, call.samples, call.frames)).toBe(call.denoise);
       expect(netFlops(recover.flops, call.samples, call.frames)).toBe(call.recover);
+      expect(netFlops(forecast.flops, call.samples, call.frames)).toBe(call.forecast);
     }
   }
 });

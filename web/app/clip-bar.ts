@@ -30,7 +30,7 @@ export class ClipBar extends LitElement {
       .facts { font-size: 0.8125rem; color: var(--muted); min-height: 1.2em; }
       .buttons { display: flex; gap: 0.5rem; }
       @media (max-width: 30rem) {
-        .buttons { flex: 1 0 100%; }
+        .buttons { flex: 1 0 100%; flex-wrap: wrap; }
         .buttons > button:not(.bare) { flex: 1 1 auto; padding: 0 0.375rem; gap: 0.375rem; font-size: 0.9375rem; white-space: nowrap; }
       }
     `,

@@ -30,6 +30,7 @@ export interface CleanWindow {
   readonly samples: number;
   /** Seconds of the first sample. */
   readonly begin: number;
+  readonly sampled: Matrix;
   readonly inputs: Readonly<Record<'clean' | 'features' | 'sample_times', Matrix>>;
   readonly frame: NetFrame;
   readonly ms: number;
@@ -104,7 +105,14 @@ export class NetPair {
     const sample_times = this.#inUnits(sampleTimes, begin);
     const { clean, features } = await this.denoise.run({ sampled, sample_times });
     const inputs = { clean: clean!, features: features!, sample_times };
-    return { samples: samples.length, begin, inputs, frame, ms: performance.now() - start };
+    return {
+      samples: samples.length,
+      begin,
+      sampled,
+      inputs,
+      frame,
+      ms: performance.now() - start,
+    };
   }
 
   /**
@@ -112,16 +120,19 @@ export class NetPair {
    * @param times T seconds, increasing
    */
   recoverAt(window: CleanWindow, times: Float64Array): Promise<TimedPoses> {
-    return this.#posesOf(this.recover, window, times);
+    return this.#posesOf(this.recover, window.inputs, window, times);
   }
 
   /**
-   * ForecastNet: poses at T times from a window's last sample on.
+   * ForecastNet: poses at T times from a window's last sample on. It cleans the samples once more, in
+   * its own way.
    * @param times T seconds, increasing
    */
   forecastAt(window: CleanWindow, times: Float64Array): Promise<TimedPoses> {
     if (!this.forecast) throw new Error('The forecast net has not been loaded.');
-    return this.#posesOf(this.forecast, window, times);
+    const { sampled, inputs } = window;
+    const { sample_times } = inputs;
+    return this.#posesOf(this.forecast, { sampled, sample_times }, window, times);
   }
 
   get hasForecast(): boolean {
@@ -133,10 +144,15 @@ export class NetPair {
     this.forecast ??= await Net.create(file);
   }
 
-  async #posesOf(net: Net, window: CleanWindow, times: Float64Array): Promise<TimedPoses> {
+  async #posesOf(
+    net: Net,
+    inputs: Readonly<Record<string, Matrix>>,
+    window: CleanWindow,
+    times: Float64Array,
+  ): Promise<TimedPoses> {
     const start = performance.now();
     const frame_times = this.#inUnits(times, window.begin);
-    const { poses } = await net.run({ ...window.inputs, frame_times });
+    const { poses } = await net.run({ ...inputs, frame_times });
     return { poses: fromNet(poses!.data, window.frame), ms: performance.now() - start };
   }
 

@@ -19,12 +19,14 @@ LATER = 0.5  # weight of frames beyond the next gap
 class Future:
     """Samples so far and frames to come, in net values and time units.
 
-    sampled: [B, S, I]. sample_times: [B, S]. poses: [B, T, K·D] truth at frame_times [B, T], after
-    the last sample. weight: [B, T], 0 for frames that nobody will ask for.
+    sampled: [B, S, I]. sample_times: [B, S]. clean: [B, K·D] truth of the last sample. poses:
+    [B, T, K·D] truth at frame_times [B, T], after the last sample. weight: [B, T], 0 for frames
+    that nobody will ask for.
     """
 
     sampled: np.ndarray
     sample_times: np.ndarray
+    clean: np.ndarray
     poses: np.ndarray
     frame_times: np.ndarray
     weight: np.ndarray
@@ -40,11 +42,14 @@ def hide_future(batch: Batch, kept: int, inputs: tuple[str, ...]) -> Future:
     weight = np.where(ahead <= gap, 1.0, LATER) * ((ahead > 0) & (ahead <= reach))
     used = weight.any(axis=0)
     sampled, origin, unit = reframed(batch.sampled[:, :kept], inputs)
-    poses = batch.poses[:, used]
-    poses = (poses - origin[:, None]) / unit[:, None, None] if inputs[0] == "2d" else poses
+    clean, poses = batch.clean[:, kept - 1], batch.poses[:, used]
+    if inputs[0] == "2d":
+        clean = (clean - origin) / unit[:, None]
+        poses = (poses - origin[:, None]) / unit[:, None, None]
     return Future(
         sampled,
         times,
+        clean.astype(np.float32),
         poses.astype(np.float32),
         batch.frame_times[:, used],
         weight[:, used].astype(np.float32),

@@ -121,9 +121,12 @@ def _run(nets: Nets, which: str, live: Live, window: list[int], frames: np.ndarr
         ((np.asarray(at) - window[0]) / live.fps / TIME_UNIT).astype(np.float32)[None]
         for at in (window, frames)
     ]
-    clean, features = nets.denoise(sampled_values(samples, nets.inputs)[None], units[0])
-    net = nets.recover if which == "recover" else nets.forecast
-    return from_net(net(clean, features, *units)[0], origin, unit)
+    sampled = sampled_values(samples, nets.inputs)[None]
+    if which == "forecast":
+        poses = nets.forecast(sampled, *units)
+    else:
+        poses = nets.recover(*nets.denoise(sampled, units[0]), *units)
+    return from_net(poses[0], origin, unit)
 
 
 def hold(live: Live) -> Shown:

@@ -7,6 +7,9 @@ import numpy as np
 
 from deciwatch.live.easing import eased_share
 
+# How long before the first frame that it is shown for a stretch has come, in frames.
+ARRIVED = 0.5
+
 
 @dataclass(frozen=True)
 class Stretch:
@@ -31,7 +34,8 @@ def shown_poses(frames: int, shape: tuple, fps: float, stretches: Iterable[Stret
         poses = stretch.poses[begin - stretch.first : end - stretch.first]
         before = out[begin]
         if np.isfinite(before).all():
-            share = eased_share(np.arange(end - begin) / fps)
+            # It came between this frame and the one before.
+            share = eased_share((np.arange(end - begin) + ARRIVED) / fps)
             poses = poses + share[:, None, None] * (before - poses[0])
         out[begin:] = np.nan
         out[begin:end] = poses

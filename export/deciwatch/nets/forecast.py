@@ -1,7 +1,7 @@
 """ForecastNet: poses after the last sample, which live playback shows without waiting for the next.
 
-Not the paper's, which always has the sample on either side of a frame. It shares its pair's
-DenoiseNet: what goes in are the clean samples so far and their features.
+Not the paper's, which always has the sample on either side of a frame. It has a DenoiseNet of its
+own, which begins as its pair's and learns to do without what comes after the last sample.
 """
 
 from dataclasses import asdict, dataclass
@@ -11,9 +11,10 @@ from torch import Tensor, nn
 
 from deciwatch.nets.blocks import DROPOUT, EncoderBlock, positions
 from deciwatch.nets.bones import bone_lengths, with_bone_lengths
+from deciwatch.nets.denoise import DenoiseNet
 from deciwatch.nets.facing import facing, turn
+from deciwatch.nets.pair import PairConfig
 from deciwatch.nets.recover_samples import POSITION_SIZE, USUAL_GAP, moved
-from deciwatch.skeleton import KEYPOINTS
 
 # Share of the correction that the last sample itself gets, which DenoiseNet cleaned with samples on
 # either side in mind, and time units after it in which the rest grows to two thirds of its size.
@@ -27,19 +28,27 @@ WAVES = 3
 
 @dataclass(frozen=True)
 class ForecastConfig:
-    """What it takes to build it again: D, C of its pair's features, own width, blocks, dropout."""
+    """What it takes to build it again: its pair's configuration, own width, blocks, dropout."""
 
-    dims: int = 3
-    features: int = 128
+    pair: PairConfig
     width: int = 96
     blocks: int = 2
     feed_forward: int = 192
     dropout: float = DROPOUT
 
+    def __post_init__(self) -> None:
+        if isinstance(self.pair, dict):  # as a checkpoint has it
+            object.__setattr__(self, "pair", PairConfig(**self.pair))
+
+    @property
+    def dims(self) -> int:
+        """D."""
+        return self.pair.dims
+
     @property
     def values(self) -> int:
         """K·D."""
-        return KEYPOINTS * self.dims
+        return self.pair.values
 
     def as_dict(self) -> dict:
         """Plain values, for a checkpoint."""
@@ -57,12 +66,21 @@ class ForecastNet(nn.Module):
     def __init__(self, config: ForecastConfig) -> None:
         super().__init__()
         self.config = config
-        values, width = config.values, config.width
+        values, width, pair = config.values, config.width, config.pair
         self.solid = config.dims == 3
+        self.denoise = DenoiseNet(
+            values,
+            pair.width,
+            pair.blocks,
+            config.dropout,
+            pair.channels,
+            pair.feed_forward or None,
+            pair.denoise,
+        )
         # Pose, the step from the sample before, and whether and how long ago that was.
         self.embed = nn.Linear(2 * values + 2, width)
         nn.init.normal_(self.embed.weight, std=0.1)
-        self.adapt = nn.Linear(config.features, width)
+        self.adapt = nn.Linear(pair.width, width)
         nn.init.zeros_(self.adapt.weight)
         nn.init.zeros_(self.adapt.bias)
         self.dropout = nn.Dropout(config.dropout)
@@ -78,15 +96,14 @@ class ForecastNet(nn.Module):
         nn.init.zeros_(self.decode.bias)
 
     def forward(
-        self, clean: Tensor, features: Tensor, sample_times: Tensor, frame_times: Tensor
-    ) -> Tensor:
-        """clean [B, S, K·D], features [B, S, C], sample_times [B, S], frame_times [B, T].
+        self, sampled: Tensor, sample_times: Tensor, frame_times: Tensor
+    ) -> tuple[Tensor, Tensor]:
+        """sampled [B, S, I], sample_times [B, S], frame_times [B, T].
 
-        Returns poses [B, T, K·D] in net values, at times from the last sample's on. Times are in
-        time units; only differences matter.
+        Returns clean [B, S, K·D], and poses [B, T, K·D] at times from the last sample's on, in net
+        values. Times are in time units; only differences matter.
         """
-        torch._assert(clean.shape[-1] == self.config.values, "clean must be [B, S, K·D]")
-        torch._assert(features.shape[-1] == self.config.features, "features must be [B, S, C]")
+        clean, features = self.denoise(sampled, sample_times)
         last = clean[:, -1:]
         direction = facing(last) if self.solid else None
         token = self._token(clean, features, sample_times, direction)
@@ -98,7 +115,7 @@ class ForecastNet(nn.Module):
             correction = turn(correction, direction, back=True)
         size = 1 - (1 - AT_ONCE) * torch.exp(-ahead / GROWTH)
         poses = last + size * correction
-        return with_bone_lengths(poses, bone_lengths(last)) if self.solid else poses
+        return clean, with_bone_lengths(poses, bone_lengths(last)) if self.solid else poses
 
     def _token(
         self, clean: Tensor, features: Tensor, sample_times: Tensor, direction: Tensor | None

@@ -12,6 +12,7 @@ PAIRS = " ".join(f"runs/pairs/test-{name}.npz" for name in ("full", "lite", "hea
 COMMANDS = {
     "pairs": f"{RUN} evaluate --pairs {PAIRS} --json docs/results/pairs.json",
     "labelling": f"{RUN} evaluate --labelling --json docs/results/labelling.json",
+    "live": f"{RUN} evaluate --live --pairs runs/pairs/test-full.npz --json docs/results/live.json",
     "variants": f"{RUN} study train --steps 1200",
     "sampling": f"{RUN} study sampling",
     "window": f"{RUN} study window",

@@ -11,6 +11,7 @@ from deciwatch.studies.sections import (
     glance,
     groups,
     labelling,
+    live,
     ratio,
     sampling,
     trained,
@@ -28,6 +29,7 @@ SECTIONS = (
     Section("Estimators that the nets never saw", "pairs", cross.write),
     Section("Window size", "window", window.write),
     Section("Which frames to watch", "sampling", sampling.write),
+    Section("Live", "live", live.write),
     Section("Efficient labelling", "labelling", labelling.write),
 )
 VARIANTS = tuple(

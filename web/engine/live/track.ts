@@ -97,7 +97,7 @@ export class LiveTrack {
     const mix = (key: 'values2d' | 'values3d') =>
       from[key].map((value, i) => {
         const plain = value + (between ? share * (between[key][i]! - value) : 0);
-        return eased > 0 ? plain + eased * this.#difference![key][i]! : plain;
+        return eased > 1e-4 ? plain + eased * this.#difference![key][i]! : plain;
       });
     const scores = from.scores.map((value, i) =>
       between ? value + share * (between.scores[i]! - value) : value,
