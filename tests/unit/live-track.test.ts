@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { SmoothDelay } from '../../web/engine/live/delay.ts';
-import { FADE_SECONDS, LiveTrack } from '../../web/engine/live/track.ts';
+import { FADE_SECONDS, HOLD_SECONDS, LiveTrack } from '../../web/engine/live/track.ts';
 import { EASE_SECONDS, easedShare } from '../../web/pose/easing.ts';
 import type { LiveChunk } from '../../web/recovery/live-recoverer.ts';
 import easing from '../fixtures/easing.json';
@@ -89,10 +89,11 @@ describe('LiveTrack', () => {
       0,
     );
     expect(track.at(0.9)!.presence).toBe(1);
-    const fading = track.at(1 + FADE_SECONDS / 2)!;
+    expect(track.at(1 + HOLD_SECONDS)!.presence).toBeCloseTo(1);
+    const fading = track.at(1 + HOLD_SECONDS + FADE_SECONDS / 2)!;
     expect(fading.presence).toBeCloseTo(0.5);
     expect(fading.values3d[0]).toBeCloseTo(1);
-    expect(track.at(1 + FADE_SECONDS + 0.01)).toBeNull();
+    expect(track.at(1 + HOLD_SECONDS + FADE_SECONDS + 0.01)).toBeNull();
   });
 
   test('shows somebody who comes back where they are, fading in, without a flight there', () => {
@@ -141,7 +142,7 @@ describe('SmoothDelay', () => {
       expect(next - shown).toBeLessThan(1.15 / 60);
       shown = next;
     }
-    expect(599 / 60 - shown).toBeCloseTo(0.62, 2);
+    expect(599 / 60 - shown).toBeCloseTo(0.605, 2);
   });
 
   test('is not put off by one answer that was late', () => {
@@ -149,6 +150,6 @@ describe('SmoothDelay', () => {
     for (let i = 0; i < 8; i++) delay.arrived(i - 0.4, i);
     delay.arrived(8 - 1.2, 8);
     delay.at(8, 0.4);
-    expect(delay.at(20, 0.4)).toBeCloseTo(0.42, 2);
+    expect(delay.at(20, 0.4)).toBeCloseTo(0.405, 2);
   });
 });

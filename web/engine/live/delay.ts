@@ -1,9 +1,9 @@
 /** Stretches that are looked back on, and how many of the latest among them are let go. */
 const MEMORY = 8;
-const LET_GO = 1;
+const LET_GO = 2;
 
-/** Beyond the latest arrival of late: frames are drawn a sixtieth of a second apart. */
-const MARGIN_S = 0.02;
+/** Beyond the usual arrival. What comes later than that is held for, and eased into. */
+const MARGIN_S = 0.005;
 
 /** Seconds of delay gained or lost for each second: movement runs that much slower or faster. */
 const SLOWER = 0.25;
@@ -53,7 +53,7 @@ export class SmoothDelay {
     return this.#delay;
   }
 
-  /** One stretch that came late is no reason to show all others later: the pose before it is held. */
+  /** A stretch or two that came late are no reason to show all others later: a pose is held for them. */
   #usual(): number | null {
     const sorted = [...this.#lags].sort((a, b) => b - a);
     return sorted[Math.min(LET_GO, sorted.length - 1)] ?? null;

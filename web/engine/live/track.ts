@@ -4,6 +4,9 @@ import type { LiveChunk } from '../../recovery/live-recoverer.ts';
 /** Seconds in which a skeleton fades in where it appears, and out where nobody is seen any more. */
 export const FADE_SECONDS = 0.3;
 
+/** Seconds that the last pose stays before it fades: the next ones may only be late. */
+export const HOLD_SECONDS = 0.1;
+
 /** Seconds of poses that are kept behind what is shown. */
 const KEPT_SECONDS = 1;
 
@@ -89,7 +92,7 @@ export class LiveTrack {
     const between = to && to.since === from.since ? to : undefined;
     const stale = between ? 0 : Math.max(0, time - from.time);
     const presence =
-      Math.min(1, Math.max(0, 1 - stale / FADE_SECONDS)) *
+      Math.min(1, Math.max(0, 1 - (stale - HOLD_SECONDS) / FADE_SECONDS)) *
       Math.min(1, Math.max(0, (time - from.since) / FADE_SECONDS));
     if (presence <= 0 && stale > 0) return null;
     const share = between ? (time - from.time) / (between.time - from.time) : 0;
