@@ -26,11 +26,6 @@ export const appStyles = css`
     .lower { grid-template-columns: minmax(17rem, 22rem) minmax(0, 1fr); }
   }
 
-  .live-state { display: flex; align-items: baseline; gap: 0.625rem; font-size: 0.9375rem; min-height: 1.5rem; }
-  .live-state i { flex: none; width: 0.625rem; height: 0.625rem; border-radius: 50%; background: var(--line-strong); }
-  .live-state i.following { background: var(--accent); }
-  .live-state i.red { background: var(--danger); }
-
   .notices { display: grid; gap: 0.5rem; }
   .notices:not(:has(.notice)) { position: absolute; }
   .notice { display: flex; align-items: flex-start; gap: 0.75rem; padding: 0.625rem 0.625rem 0.625rem 1rem; border-radius: var(--round-small); }

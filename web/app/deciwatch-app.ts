@@ -1,6 +1,6 @@
 import { html, LitElement, nothing, type PropertyValues } from 'lit';
 import { customElement, query, state } from 'lit/decorators.js';
-import type { LiveSession, LiveView as Moment } from '../engine/live/types.ts';
+import type { LiveSession } from '../engine/live/types.ts';
 import { appStyles } from './app-styles.ts';
 import './clip-bar.ts';
 import type { ClipBar } from './clip-bar.ts';
@@ -9,14 +9,11 @@ import './clip-view.ts';
 import type { ClipView } from './clip-view.ts';
 import './cost-panel.ts';
 import { FileDrop } from './file-drop.ts';
-import { icon } from './icons.ts';
-import './live/live-bar.ts';
-import type { LiveAction } from './live/live-bar.ts';
 import './live/live-cost-panel.ts';
-import { type LiveChoices, LiveDesk } from './live/live-desk.ts';
-import './live/live-view.ts';
-import type { LiveView, ShownFrame } from './live/live-view.ts';
-import { liveWords, loadWords } from './live/live-words.ts';
+import { LiveDesk } from './live/live-desk.ts';
+import './live/live-section.ts';
+import type { LiveSection } from './live/live-section.ts';
+import { renderNotice } from './notice.ts';
 import { PageEngine } from './page-engine.ts';
 import { pageState } from './page-state.ts';
 import type { PlaybackState } from './playback.ts';
@@ -27,7 +24,6 @@ import { keyTargetOf, type ShortcutAction, shortcutFor } from './shortcuts.ts';
 import './shortcuts-dialog.ts';
 import type { ShortcutsDialog } from './shortcuts-dialog.ts';
 import './stage-view.ts';
-import type { StageView } from './stage-view.ts';
 import { sharedStyles } from './styles.ts';
 import './timeline.ts';
 import './transport-bar.ts';
@@ -44,8 +40,7 @@ export class DeciWatchApp extends LitElement {
   @state() private aspect = 16 / 9;
   @state() private keysOn = true;
   @query('dw-clip-view') private view!: ClipView | null;
-  @query('dw-live-view') private liveView!: LiveView | null;
-  @query('dw-stage-view') private stage!: StageView | null;
+  @query('dw-live-section') private liveSection!: LiveSection | null;
   @query('dw-clip-bar') private bar!: ClipBar;
   @query('dw-shortcuts-dialog') private keys!: ShortcutsDialog;
   private readonly engine = new PageEngine(this);
@@ -58,8 +53,8 @@ export class DeciWatchApp extends LitElement {
     },
   });
   private readonly live = new LiveDesk(this, this.engine, {
-    draw: (moment, stage) => this.drawLive(moment, stage),
-    isSlowToDraw: () => this.stage?.isSoftware ?? false,
+    draw: (moment, stage) => this.liveSection?.draw(moment, stage),
+    isSlowToDraw: () => this.liveSection?.isSlowToDraw ?? false,
     recorded: (file, clip, settings) => this.desk.showRecording(file, clip, settings),
     say: (words) => this.desk.say(words),
   });
@@ -99,7 +94,18 @@ export class DeciWatchApp extends LitElement {
         <div role="alert">${renderNotice('error', desk.error, () => desk.dismissError())}</div>
         <div role="status">${renderNotice('note', desk.note, () => desk.dismissNote())}</div>
         </div>
-        ${live.on ? this.renderLive() : this.renderClip()}
+        ${
+          live.on
+            ? html`<dw-live-section
+                .desk=${live}
+                .settings=${desk.settings}
+                .aspect=${this.aspect}
+                @picture=${(event: CustomEvent<number>) => {
+                  this.aspect = event.detail;
+                }}
+              ></dw-live-section>`
+            : this.renderClip()
+        }
         <div class="stack lower">
           <dw-settings-panel
             class="card"
@@ -178,53 +184,6 @@ export class DeciWatchApp extends LitElement {
     </section>`;
   }
 
-  private renderLive() {
-    const { live } = this;
-    const { choices, status, camera } = live;
-    const words = live.opening
-      ? 'Asking for the camera: allow it for this page.'
-      : live.recovering
-        ? 'Recovering every frame of the recording …'
-        : liveWords(status?.state ?? 'loading');
-    const load = status ? loadWords(status, { ...this.desk.settings, ...choices }) : '';
-    const rate = status?.frameRate ? ` ${Math.round(status.frameRate)} frames a second.` : '';
-    return html`<section class="viewer card" aria-label="The camera and its poses">
-      <div class="panes" style="--aspect: ${this.aspect}">
-        <div class="pane">
-          <dw-live-view
-            .stream=${camera?.stream ?? null}
-            .mirrored=${choices.mirrored}
-            .delayed=${choices.mode === 'smooth'}
-            @camera-frame=${(event: CustomEvent<ShownFrame>) => live.frame(event.detail)}
-            @picture=${(event: CustomEvent<number>) => {
-              this.aspect = event.detail;
-            }}
-          ></dw-live-view>
-        </div>
-        <div class="pane">
-          <dw-stage-view .live=${choices.mirrored ? 'mirrored' : 'plain'}></dw-stage-view>
-        </div>
-      </div>
-      <div class="deck">
-        <p class="live-state" role="status" data-testid="live-state" data-state=${status?.state ?? 'asking'}>
-          <i class=${live.recording ? 'red' : (status?.state ?? '')}></i>
-          <span>${live.recording ? 'Recording. ' : nothing}${words}${rate} ${load}</span>
-        </p>
-        <dw-live-bar
-          .choices=${choices}
-          .cameras=${live.cameras}
-          .camera=${camera?.id ?? ''}
-          .ready=${status !== null && status.state !== 'loading' && status.state !== 'waiting'}
-          .recording=${live.recording}
-          .recovering=${live.recovering}
-          @live=${(event: CustomEvent<LiveAction>) => this.actLive(event.detail)}
-          @camera=${(event: CustomEvent<string>) => void live.start(this.desk.settings, event.detail)}
-          @choices=${(event: CustomEvent<LiveChoices>) => live.choose(event.detail)}
-        ></dw-live-bar>
-      </div>
-    </section>`;
-  }
-
   /** The running job, or the button that starts one where it was cancelled. */
   private renderWork() {
     const { desk } = this;
@@ -271,28 +230,6 @@ export class DeciWatchApp extends LitElement {
     } else {
       this.desk.change(settings);
     }
-  }
-
-  private actLive(action: LiveAction): void {
-    switch (action) {
-      case 'stop':
-        this.live.stop();
-        break;
-      case 'record':
-        this.live.startRecording();
-        break;
-      case 'stop-recording':
-        void this.live.stopRecording();
-        break;
-    }
-  }
-
-  private drawLive({ time, pose }: Pick<Moment, 'time' | 'pose'>, stage: boolean): void {
-    this.liveView?.paint({ time, pose });
-    if (!stage) return;
-    this.stage?.showPose(
-      pose && { values: pose.values3d, scores: pose.scores, presence: pose.presence, time },
-    );
   }
 
   private played(event: CustomEvent<PlaybackState>): void {
@@ -359,14 +296,6 @@ export class DeciWatchApp extends LitElement {
         break;
     }
   }
-}
-
-function renderNotice(kind: 'error' | 'note', text: string, dismiss: () => void) {
-  if (!text) return nothing;
-  return html`<div class="notice ${kind}">
-    <p data-testid=${kind}>${text}</p>
-    <button class="bare" aria-label="Dismiss" @click=${dismiss}>${icon('close')}</button>
-  </div>`;
 }
 
 declare global {

@@ -10,6 +10,7 @@ import type { EngineWorker, Outcome } from './messages.ts';
 import type { ModelUrls } from './models.ts';
 import { startWorker } from './start-worker.ts';
 import type { Engine, RecoveredClip, RecoverOptions, RecoverProgress } from './types.ts';
+import { WorkerLife } from './worker-life.ts';
 
 /** For those who serve the models from elsewhere, or their own. Relative to the page. */
 export interface EngineOptions {
@@ -48,11 +49,11 @@ function tellSafely(listener: RecoverOptions['onProgress'], progress: RecoverPro
   }
 }
 
-/** A worker, and a promise that rejects when it dies. */
+/** A worker, and how to wait for it. */
 interface Running {
   readonly worker: Worker;
   readonly remote: Comlink.Remote<EngineWorker>;
-  readonly death: Promise<never>;
+  readonly life: WorkerLife;
 }
 
 class WorkerEngine implements Engine {
@@ -80,11 +81,11 @@ class WorkerEngine implements Engine {
     this.#closing.signal.throwIfAborted();
     this.#live?.close();
     this.#running ??= start();
-    const { remote, death } = this.#running;
+    const { remote, life } = this.#running;
     const session = new WorkerLiveSession(
       {
         remote,
-        death,
+        life,
         urls: this.urls,
         onClose: () => {
           if (this.#live === session) this.#live = undefined;
@@ -94,8 +95,8 @@ class WorkerEngine implements Engine {
     );
     this.#live = session;
     // A worker that has died is started anew the next time.
-    death.catch(() => {
-      if (this.#running?.death === death) this.#stop();
+    life.onDeath(() => {
+      if (this.#running?.life === life) this.#stop();
     });
     return session;
   }
@@ -114,7 +115,7 @@ class WorkerEngine implements Engine {
   ): Promise<RecoveredClip> {
     signal.throwIfAborted();
     this.#running ??= start();
-    const { remote, death } = this.#running;
+    const { remote, life } = this.#running;
     const abort = () => void remote.abort();
     signal.addEventListener('abort', abort);
     const tell = Comlink.proxy((progress: RecoverProgress) => {
@@ -122,7 +123,7 @@ class WorkerEngine implements Engine {
     });
     try {
       const job = { file, name, every, estimator, urls: this.urls };
-      return unwrap(await Promise.race([remote.recover(job, tell), death]), signal);
+      return unwrap(await life.whileAlive(remote.recover(job, tell)), signal);
     } catch (error) {
       if (error instanceof DeciWatchError && error.code === 'engine-crashed') this.#stop();
       throw error;
@@ -139,16 +140,13 @@ class WorkerEngine implements Engine {
 
 function start(): Running {
   const worker = tryToStart();
-  const death = new Promise<never>((_, reject) => {
-    worker.addEventListener('error', (event) => {
-      event.preventDefault();
-      reject(crash(event.message || 'its code could not be loaded'));
-    });
-    worker.addEventListener('messageerror', () => reject(crash('it sent what cannot be read')));
+  const life = new WorkerLife();
+  worker.addEventListener('error', (event) => {
+    event.preventDefault();
+    life.end(crash(event.message || 'its code could not be loaded'));
   });
-  // Told to whoever waits; nobody may.
-  death.catch(() => {});
-  return { worker, remote: Comlink.wrap<EngineWorker>(worker), death };
+  worker.addEventListener('messageerror', () => life.end(crash('it sent what cannot be read')));
+  return { worker, remote: Comlink.wrap<EngineWorker>(worker), life };
 }
 
 /** A page's content security policy can forbid workers, which throws. */

@@ -13,12 +13,15 @@ import { type Camera, type CameraChoice, listCameras, openCamera } from '../../s
 import type { PageEngine } from '../page-engine.ts';
 import type { ClipFile } from '../recover-job.ts';
 import { DEFAULT_SETTINGS, type Settings } from '../settings.ts';
+import { CameraRecorder } from './camera-recorder.ts';
 import { DrawGovernor } from './draw-governor.ts';
 import type { ShownFrame } from './live-view.ts';
-import { blankVideo, PictureRecorder } from './picture-recorder.ts';
 
 /** Figures change so many times a second. */
 const REPORT_MS = 500;
+
+const NOTHING_RECORDED =
+  'Nothing was recorded: nobody was seen, or it was too short; record for a second or more.';
 
 /** What somebody chooses of live playback beside N and the estimator. */
 export interface LiveChoices {
@@ -66,8 +69,9 @@ export class LiveDesk implements ReactiveController {
   #governor = new DrawGovernor();
   #recording = false;
   #recovering = false;
-  #pictures: Promise<PictureRecorder | null> | null = null;
-  #recorder: PictureRecorder | null = null;
+  /** The one that is being started, and the one that runs. */
+  #recorder: Promise<CameraRecorder> | null = null;
+  #running: CameraRecorder | null = null;
 
   constructor(host: ReactiveControllerHost, engine: PageEngine, page: LivePage) {
     this.#host = host;
@@ -166,7 +170,9 @@ export class LiveDesk implements ReactiveController {
     clearInterval(this.#reportTimer);
     this.#opening = false;
     this.#recording = false;
-    void this.#dropPictures();
+    this.#recorder = null;
+    void this.#running?.cancel();
+    this.#running = null;
     this.#session?.close();
     this.#session = null;
     this.#camera?.close();
@@ -189,61 +195,47 @@ export class LiveDesk implements ReactiveController {
   }
 
   /** A frame of the camera is on screen. */
-  frame({ video, frame }: ShownFrame): void {
-    this.#session?.frame(video, frame);
-    const since = this.#session?.recordingSince ?? null;
-    if (since !== null && frame.time >= since) this.#recorder?.add(video, frame.time);
+  frame(shown: ShownFrame): void {
+    this.#session?.frame(shown.video, shown.frame);
+    this.#running?.add(shown);
   }
 
   startRecording(): void {
     const session = this.#session;
     if (!session || this.#recording) return;
     this.#recording = true;
-    this.#host.requestUpdate();
-    const size = session.size;
-    this.#pictures =
-      this.#choices.keepPicture && size
-        ? PictureRecorder.start(size.width, size.height).catch((error) => {
-            this.#page.say({ note: messageOf(error) });
-            return null;
-          })
-        : Promise.resolve(null);
-    void this.#pictures.then((recorder) => {
-      if (!this.#recording || this.#session !== session) return;
-      this.#recorder = recorder;
-      session.startRecording();
-    });
     this.#page.say({ status: 'Recording.' });
+    const recorder = CameraRecorder.start(session, this.#choices.keepPicture);
+    this.#recorder = recorder;
+    recorder.then(
+      (started) => {
+        if (this.#recorder === recorder) this.#running = started;
+        else void started.cancel();
+      },
+      (error) => {
+        this.#recording = false;
+        this.#page.say({ error: messageOf(error) });
+      },
+    );
   }
 
   /** Recovers what was recorded, and hands it to the page. */
   async stopRecording(): Promise<void> {
-    const session = this.#session;
-    if (!session || !this.#recording) return;
+    const recorder = this.#running;
+    if (!recorder || !this.#recording) return;
     this.#recording = false;
     this.#recovering = true;
     this.#host.requestUpdate();
     const settings = this.#settings;
-    const stamp = new Date().toISOString().slice(0, 19).replaceAll(':', '-');
     try {
-      const recorder = this.#recorder;
-      this.#recorder = null;
-      const name = `recording-${stamp}.${recorder?.mimeType.includes('mp4') ? 'mp4' : 'webm'}`;
-      const clip = await session.stopRecording(name);
-      if (!clip) {
-        await recorder?.cancel();
-        this.#page.say({
-          error:
-            'Nothing was recorded: nobody was seen, or it was too short; record for a second or more.',
-        });
-        return;
+      const recorded = await recorder.finish();
+      this.#running = null;
+      if (recorded) {
+        this.stop();
+        this.#page.recorded(recorded.file, recorded.clip, settings);
+      } else {
+        this.#page.say({ error: NOTHING_RECORDED });
       }
-      const { width, height } = clip.source;
-      const blob = recorder
-        ? await recorder.finish()
-        : await blankVideo(clip.poses2d.times, width / height);
-      this.stop();
-      this.#page.recorded({ blob, name, blank: !recorder }, clip, settings);
     } catch (error) {
       this.#fail(error);
     } finally {
@@ -297,15 +289,6 @@ export class LiveDesk implements ReactiveController {
   #fail(error: unknown): void {
     this.stop();
     this.#page.say({ error: messageOf(error), status: '' });
-  }
-
-  async #dropPictures(): Promise<void> {
-    const pictures = this.#pictures;
-    this.#pictures = null;
-    this.#recorder = null;
-    const recorder = await pictures?.catch(() => null);
-    // Finished already where the recording was kept.
-    await recorder?.cancel().catch(() => {});
   }
 }
 

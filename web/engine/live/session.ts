@@ -2,40 +2,29 @@ import type { Remote } from 'comlink';
 import * as Comlink from 'comlink';
 import { LiveMeter } from '../../cost/live-meter.ts';
 import { DeciWatchError } from '../../errors.ts';
-import { FramePeriod } from '../../sampling/frame-period.ts';
 import { LiveSampler } from '../../sampling/live-sampler.ts';
 import { MAX_GAP_SECONDS } from '../../sampling/segments.ts';
 import type { CameraFrame } from '../../sources/camera-frames.ts';
 import type { EngineWorker } from '../messages.ts';
 import type { ModelUrls } from '../models.ts';
 import type { RecoveredClip } from '../types.ts';
+import type { WorkerLife } from '../worker-life.ts';
+import { CameraClock } from './camera-clock.ts';
 import { SmoothDelay } from './delay.ts';
 import type { Failure, WatchAnswer } from './messages.ts';
 import { Recording } from './recording.ts';
+import { LiveStateWatch } from './state.ts';
 import { LiveTrack } from './track.ts';
 import type { LiveSession, LiveSettings, LiveState, LiveStatus, LiveView } from './types.ts';
-
-/** Frames are taken not to come any more after so many seconds. */
-const SILENT_S = 1;
-
-/** Somebody who is not seen any more is called lost for so long, then looked for. */
-const LOST_S = 3;
 
 /** Looks ahead so much further than the next answer is due. */
 const SPARE_S = 0.15;
 const FURTHEST_S = 1;
 
-/** Camera frames that are remembered, in seconds: longer than any delay. */
-const REMEMBERED_S = 4;
-
-/** How much the newest frame counts in the mean delay of the camera. */
-const NEWEST = 0.1;
-
 /** What the session needs of the engine that it runs on. */
 export interface LiveHost {
   readonly remote: Remote<EngineWorker>;
-  /** Rejects when the worker dies. */
-  readonly death: Promise<never>;
+  readonly life: WorkerLife;
   readonly urls: ModelUrls;
   /** The session has ended. */
   onClose(): void;
@@ -45,6 +34,7 @@ export interface LiveHost {
 export class WorkerLiveSession implements LiveSession {
   onStatus: (() => void) | null = null;
   onError: ((error: DeciWatchError) => void) | null = null;
+  readonly #forgetDeath: () => void;
   #settings: LiveSettings;
   #sampler: LiveSampler;
   #meter = new LiveMeter(1);
@@ -52,20 +42,14 @@ export class WorkerLiveSession implements LiveSession {
   #closed = false;
   #busy = false;
   #afresh = true;
-  #index = -1;
   #size: { readonly width: number; readonly height: number } | null = null;
-  readonly #period = new FramePeriod();
   readonly #track = new LiveTrack();
   readonly #delay = new SmoothDelay();
-  #cameraLag = 0;
   #callSeconds = 0.1;
   #shownTime = 0;
-  /** Capture times of the last camera frames; those since the last look. */
-  #frames: number[] = [];
-  #sinceLook: number[] = [];
+  readonly #clock = new CameraClock();
   #countedTime = Number.NEGATIVE_INFINITY;
-  #lastSeen: number | null = null;
-  #lastAnswerSeen = false;
+  readonly #watch = new LiveStateWatch();
   #state: LiveState = 'loading';
   /** N when the status was last told. */
   #every = 0;
@@ -77,7 +61,7 @@ export class WorkerLiveSession implements LiveSession {
   ) {
     this.#settings = settings;
     this.#sampler = new LiveSampler(settings.every, settings.load);
-    host.death.catch((error) => this.#fail(error));
+    this.#forgetDeath = host.life.onDeath((error) => this.#fail(error));
     void this.#prepare();
   }
 
@@ -86,8 +70,7 @@ export class WorkerLiveSession implements LiveSession {
   }
 
   get status(): LiveStatus {
-    const frameRate = this.#frames.length > 1 ? 1 / this.#period.seconds : 0;
-    return { state: this.#state, every: this.#sampler.every, frameRate };
+    return { state: this.#state, every: this.#sampler.every, frameRate: this.#clock.rate };
   }
 
   get report() {
@@ -111,24 +94,19 @@ export class WorkerLiveSession implements LiveSession {
     this.#sampler.choose(settings.every, settings.load);
     this.#settings = settings;
     // The old index counts multiples of the old N.
-    this.#index = -1;
+    this.#clock.restart();
     this.#delay.reset();
     const more = settings.mode === 'now' && before.mode !== 'now';
     if (settings.estimator !== before.estimator || more) void this.#prepare();
     this.#tell();
   }
 
-  frame(video: HTMLVideoElement, { time, told, missed }: CameraFrame): void {
+  frame(video: HTMLVideoElement, frame: CameraFrame): void {
     if (this.#closed) return;
-    const last = this.#frames.at(-1);
-    if (last !== undefined && time <= last) return;
-    if (last !== undefined && time - last > MAX_GAP_SECONDS) this.#startAfresh();
-    this.#frames = this.#frames.filter((past) => past > time - REMEMBERED_S);
-    this.#frames.push(time);
-    this.#sinceLook.push(time);
-    this.#period.add(time, 1 + missed);
-    this.#cameraLag += NEWEST * (told - time - this.#cameraLag);
-    this.#index += 1 + (this.#index < 0 ? 0 : missed);
+    const { time, told, missed } = frame;
+    const gap = this.#clock.add(frame);
+    if (gap === null) return;
+    if (gap > MAX_GAP_SECONDS) this.#startAfresh();
     this.#meter.addFrame(told, missed, 1000 * (told - time));
     const { videoWidth: width, videoHeight: height } = video;
     // A camera that was turned, or replaced by another.
@@ -139,24 +117,25 @@ export class WorkerLiveSession implements LiveSession {
     const watched =
       this.#ready &&
       width > 0 &&
-      this.#sampler.offer(this.#index, this.#busy, this.#period.seconds);
+      this.#sampler.offer(this.#clock.index, this.#busy, this.#clock.period);
     this.#recording?.addFrame(time, watched);
     if (watched) void this.#look(video, time);
+    this.#watch.frame(told);
     this.#updateState(told);
   }
 
   view(now: number): LiveView {
     const { mode } = this.#settings;
-    const interval = this.#sampler.every * this.#period.seconds;
+    const interval = this.#sampler.every * this.#clock.period;
     const late =
       mode === 'now'
-        ? this.#cameraLag
-        : this.#delay.at(now, interval + this.#callSeconds + this.#cameraLag);
+        ? this.#clock.lag
+        : this.#delay.at(now, interval + this.#callSeconds + this.#clock.lag);
     const time = now - late;
     this.#shownTime = time;
     this.#updateState(now);
     const pose = this.#track.at(time);
-    const frame = this.#frames.findLast((captured) => captured <= time) ?? null;
+    const frame = this.#clock.frameAt(time);
     if (pose && pose.presence > 0 && frame !== null) this.#count(frame, now);
     return { time, frame, pose };
   }
@@ -170,7 +149,7 @@ export class WorkerLiveSession implements LiveSession {
     const found = this.#recording?.finish(name, width, height) ?? null;
     this.#recording = null;
     if (!found) return null;
-    const outcome = await Promise.race([
+    const outcome = await this.host.life.whileAlive(
       this.host.remote.recoverStretch({
         ...found,
         every: this.#sampler.every,
@@ -180,8 +159,7 @@ export class WorkerLiveSession implements LiveSession {
         },
         urls: this.host.urls,
       }),
-      this.host.death,
-    ]);
+    );
     if (outcome.kind === 'done') return outcome.clip;
     throw errorOf(outcome);
   }
@@ -189,6 +167,7 @@ export class WorkerLiveSession implements LiveSession {
   close(): void {
     if (this.#closed) return;
     this.#closed = true;
+    this.#forgetDeath();
     this.onStatus = null;
     this.onError = null;
     this.#recording = null;
@@ -204,7 +183,7 @@ export class WorkerLiveSession implements LiveSession {
     const { estimator, mode } = this.#settings;
     const needs = { estimator, forecast: mode === 'now', urls: this.host.urls };
     try {
-      const answer = await Promise.race([this.host.remote.prepareLive(needs), this.host.death]);
+      const answer = await this.host.life.whileAlive(this.host.remote.prepareLive(needs));
       if (this.#closed) return;
       if (answer.kind !== 'ready') throw errorOf(answer);
       // Somebody may have chosen another one meanwhile, which is being loaded.
@@ -221,27 +200,26 @@ export class WorkerLiveSession implements LiveSession {
   }
 
   async #look(video: HTMLVideoElement, time: number): Promise<void> {
+    const image = pictureOf(video, time);
+    if (!image) return;
     const { estimator, mode } = this.#settings;
     this.#busy = true;
     const sent = performance.now();
-    const frameTimes = Float64Array.from(this.#sinceLook);
-    this.#sinceLook = [];
+    const frameTimes = this.#clock.takeFrames();
     const afresh = this.#afresh;
     this.#afresh = false;
     const ahead = mode === 'now' ? this.#ahead(time) : new Float64Array();
     const recording = this.#recording;
     try {
-      const image = new VideoFrame(video, { timestamp: Math.round(time * 1e6) });
       const request = { estimator, time, frameTimes, ahead, afresh };
-      const answer = await Promise.race([
+      const answer = await this.host.life.whileAlive(
         this.host.remote.watch(Comlink.transfer(image, [image]), request),
-        this.host.death,
-      ]);
+      );
       if (this.#closed) return;
       if (answer.kind !== 'watched') throw errorOf(answer);
       const now = performance.now() / 1000;
       this.#callSeconds = now - sent / 1000;
-      this.#sampler.answered(this.#callSeconds, this.#period.seconds);
+      this.#sampler.answered(this.#callSeconds, this.#clock.period);
       recording?.addWatched(time, answer.estimate, answer.estimatorMs);
       this.#take(answer, time, now);
     } catch (error) {
@@ -254,12 +232,11 @@ export class WorkerLiveSession implements LiveSession {
   #take(answer: Extract<WatchAnswer, { kind: 'watched' }>, time: number, now: number): void {
     const { mode } = this.#settings;
     this.#meter.addWatched({ at: now, ...answer });
-    this.#lastAnswerSeen = answer.estimate !== null;
-    if (answer.estimate) this.#lastSeen = time;
+    this.#watch.answered(now, answer.estimate !== null);
     const chunk = mode === 'now' ? answer.forecast : answer.recovered;
     if (answer.recovered) {
       const first = answer.recovered.times[0]!;
-      const usual = 1.3 * this.#sampler.every * this.#period.seconds;
+      const usual = 1.3 * this.#sampler.every * this.#clock.period;
       // A stretch over a missing sample is late by nature.
       if (time - first <= Math.max(usual, 0.05)) this.#delay.arrived(first, now);
     }
@@ -269,7 +246,7 @@ export class WorkerLiveSession implements LiveSession {
 
   /** Times to look ahead to from a watched frame: until the answer to the next one may be there. */
   #ahead(time: number): Float64Array {
-    const period = this.#period.seconds;
+    const period = this.#clock.period;
     const span = this.#sampler.every * period + 2 * this.#callSeconds + SPARE_S;
     const count = Math.ceil(Math.min(span, FURTHEST_S) / period);
     return Float64Array.from({ length: count + 1 }, (_, i) => time + i * period);
@@ -277,7 +254,6 @@ export class WorkerLiveSession implements LiveSession {
 
   #startAfresh(): void {
     this.#afresh = true;
-    this.#sinceLook = [];
     this.#delay.reset();
   }
 
@@ -288,12 +264,7 @@ export class WorkerLiveSession implements LiveSession {
   }
 
   #updateState(now: number): void {
-    if (!this.#ready) return;
-    const last = this.#frames.at(-1);
-    if (last === undefined || now - last > SILENT_S) this.#setState('waiting');
-    else if (this.#lastAnswerSeen) this.#setState('following');
-    else if (this.#lastSeen !== null && now - this.#lastSeen < LOST_S) this.#setState('lost');
-    else this.#setState('looking');
+    if (this.#ready) this.#setState(this.#watch.at(now));
   }
 
   #setState(state: LiveState): void {
@@ -319,6 +290,15 @@ export class WorkerLiveSession implements LiveSession {
     const listener = this.onError;
     this.close();
     listener?.(told);
+  }
+}
+
+/** Null where the element has lost its picture meanwhile, as when another camera is chosen. */
+function pictureOf(video: HTMLVideoElement, time: number): VideoFrame | null {
+  try {
+    return new VideoFrame(video, { timestamp: Math.round(time * 1e6) });
+  } catch {
+    return null;
   }
 }
 
