@@ -50,7 +50,7 @@ def test_training_lowers_the_loss(motions):
 def test_on_true_samples_only_the_frames_between_are_learnt(motions):
     config = PairConfig(dims=2, width=32, blocks=1, recover="samples", denoise=False)
     batch = Sources(motions, config.inputs, NONE, few=True)(np.random.default_rng(3))
-    recipe = Recipe(steps=60, rate=2e-3, denoise_first=0.5)
+    recipe = Recipe(steps=60, rate=4e-3, denoise_first=0.5)
     run = Trainer(config, recipe, lambda rng, sparse: batch)
     losses = [run.step() for _ in range(60)]
     # As a share of W_PR's error, so that every batch counts alike, whatever its interval.
