@@ -115,10 +115,9 @@ function buffersOf({ poses2d, poses3d }: RecoveredClip): Transferable[] {
 }
 
 function chunkBuffers(answer: WatchAnswer): Transferable[] {
-  if (answer.kind !== 'watched') return [];
-  const chunks = [answer.recovered, answer.forecast].filter((chunk) => chunk !== null);
-  const arrays = chunks.flatMap((chunk) => [chunk.values2d, chunk.values3d, chunk.scores]);
-  return arrays.map(({ buffer }) => buffer as ArrayBuffer);
+  if (answer.kind !== 'watched' || !answer.chunk) return [];
+  const { values2d, values3d, scores } = answer.chunk;
+  return [values2d, values3d, scores].map(({ buffer }) => buffer as ArrayBuffer);
 }
 
 Comlink.expose(engine);

@@ -2,8 +2,8 @@ import type { PoseEstimate } from '../estimators/estimator.ts';
 import { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
 import { bridges } from '../sampling/segments.ts';
 import { WINDOW_INTERVALS } from '../sampling/windows.ts';
-import type { CleanWindow, NetPair, TimedPoses } from './net-pair.ts';
-import type { PairRun, Recoverer } from './recoverer.ts';
+import type { PairEntry } from './manifest.ts';
+import type { Recoverer } from './recoverer.ts';
 import { centreOnRoot } from './root.ts';
 import { scoresBetween } from './scores.ts';
 
@@ -21,11 +21,25 @@ export interface LiveChunk {
 
 /** What one more sample gave. */
 export interface LiveStep {
-  /** The newest interval; null after the first sample and after a gap. */
-  readonly recovered: LiveChunk | null;
-  /** What comes after the sample, where that was asked for and can be told. */
-  readonly forecast: LiveChunk | null;
-  readonly runs: readonly PairRun[];
+  /**
+   * The newest interval, or, where times ahead were asked for, what comes after the sample. Null after
+   * the first sample and after a gap.
+   */
+  readonly chunk: LiveChunk | null;
+  readonly runs: readonly LiveRun[];
+}
+
+/** One window through one pair of nets, or through its ForecastNet. */
+export interface LiveRun {
+  readonly entry: PairEntry;
+  readonly forecast: boolean;
+  /** S. */
+  readonly samples: number;
+  /** T. */
+  readonly frames: number;
+  /** DenoiseNet's; ForecastNet's own is in `ms`. */
+  readonly denoiseMs: number;
+  readonly ms: number;
 }
 
 /** A watched frame and what is wanted of it. */
@@ -36,15 +50,15 @@ export interface LiveSample {
   readonly estimate: PoseEstimate | null;
   /** Times, in seconds and increasing, of the camera's frames up to this one. */
   readonly frameTimes: Float64Array;
-  /** Times after this one to look ahead to; none where nobody asks. */
+  /** Times from this one on to look ahead to; where there are none, the interval before is recovered. */
   readonly ahead: Float64Array;
 }
 
-const NOTHING: LiveStep = { recovered: null, forecast: null, runs: [] };
+const NOTHING: LiveStep = { chunk: null, runs: [] };
 
 /**
  * The streaming form of {@link Recoverer}: a window of the last Q + 1 samples slides by one sample, and
- * each new one gives the frames of the newest interval. Uses the recoverer's nets, which stay its own.
+ * each new one gives the frames of the newest interval, or those to come. Uses the recoverer's nets, which stay its own.
  */
 export class LiveRecoverer {
   #samples: { readonly time: number; readonly estimate: PoseEstimate }[] = [];
@@ -65,45 +79,54 @@ export class LiveRecoverer {
     const before = this.#samples.at(-2);
     if (!before) return NOTHING;
 
+    const window: SampleList = {
+      estimates: this.#samples.map((sample) => sample.estimate),
+      times: Float64Array.from(this.#samples, (sample) => sample.time),
+    };
+    if (ahead.length > 0) return this.#lookAhead(window, ahead);
     // The samples' own times too, so that the stretch begins and ends where its neighbours do.
     const inner = frameTimes.filter((frame) => frame > before.time && frame < time);
     const times = Float64Array.of(before.time, ...inner, time);
-    const runs: PairRun[] = [];
-    const sampleTimes = Float64Array.from(this.#samples, (sample) => sample.time);
-    const estimates = this.#samples.map((sample) => sample.estimate);
-    const found = { recovered: [] as Float32Array[], forecast: [] as Float32Array[] };
+    return this.#recover(window, times, scoresBetween(before, { time, estimate }, times));
+  }
+
+  async #recover(
+    { estimates, times: sampleTimes }: SampleList,
+    times: Float64Array,
+    scores: Float32Array,
+  ): Promise<LiveStep> {
+    const found: Float32Array[] = [];
+    const runs: LiveRun[] = [];
     for (const pair of [this.recoverer.pair2d, this.recoverer.pair3d]) {
+      const { entry } = pair;
       const window = await pair.clean(estimates, sampleTimes);
-      const recovered = await pair.recoverAt(window, times);
-      found.recovered.push(recovered.poses);
-      let forecast: TimedPoses | undefined;
-      if (ahead.length > 0) {
-        forecast = await pair.forecastAt(window, ahead);
-        found.forecast.push(forecast.poses);
-      }
-      runs.push(runOf(pair, window, times, recovered, ahead, forecast));
+      const { poses, ms } = await pair.recoverAt(window, times);
+      found.push(poses);
+      const sizes = { samples: estimates.length, frames: times.length };
+      runs.push({ entry, forecast: false, ...sizes, denoiseMs: window.ms, ms });
     }
-    return {
-      recovered: chunk(times, found.recovered, scoresBetween(before, { time, estimate }, times)),
-      forecast:
-        ahead.length > 0
-          ? chunk(ahead, found.forecast, repeated(estimate.scores, ahead.length))
-          : null,
-      runs,
-    };
+    return { chunk: chunk(times, found, scores), runs };
+  }
+
+  async #lookAhead({ estimates, times }: SampleList, ahead: Float64Array): Promise<LiveStep> {
+    const found: Float32Array[] = [];
+    const runs: LiveRun[] = [];
+    for (const pair of [this.recoverer.pair2d, this.recoverer.pair3d]) {
+      const { entry } = pair;
+      const { poses, ms } = await pair.forecastAt(estimates, times, ahead);
+      found.push(poses);
+      const sizes = { samples: estimates.length, frames: ahead.length };
+      runs.push({ entry, forecast: true, ...sizes, denoiseMs: 0, ms });
+    }
+    const { scores } = estimates.at(-1)!;
+    return { chunk: chunk(ahead, found, repeated(scores, ahead.length)), runs };
   }
 }
 
-function runOf(
-  { entry }: NetPair,
-  { samples, ms }: CleanWindow,
-  times: Float64Array,
-  recovered: TimedPoses,
-  ahead: Float64Array,
-  forecast: TimedPoses | undefined,
-): PairRun {
-  const run = { entry, samples, frames: times.length, denoiseMs: ms, recoverMs: recovered.ms };
-  return forecast ? { ...run, ahead: ahead.length, forecastMs: forecast.ms } : run;
+/** The samples of a window side by side. */
+interface SampleList {
+  readonly estimates: readonly PoseEstimate[];
+  readonly times: Float64Array;
 }
 
 function chunk(

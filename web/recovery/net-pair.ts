@@ -30,7 +30,6 @@ export interface CleanWindow {
   readonly samples: number;
   /** Seconds of the first sample. */
   readonly begin: number;
-  readonly sampled: Matrix;
   readonly inputs: Readonly<Record<'clean' | 'features' | 'sample_times', Matrix>>;
   readonly frame: NetFrame;
   readonly ms: number;
@@ -108,7 +107,6 @@ export class NetPair {
     return {
       samples: samples.length,
       begin,
-      sampled,
       inputs,
       frame,
       ms: performance.now() - start,
@@ -119,20 +117,33 @@ export class NetPair {
    * RecoverNet: poses at T times from a window's first sample to its last.
    * @param times T seconds, increasing
    */
-  recoverAt(window: CleanWindow, times: Float64Array): Promise<TimedPoses> {
-    return this.#posesOf(this.recover, window.inputs, window, times);
+  async recoverAt(window: CleanWindow, times: Float64Array): Promise<TimedPoses> {
+    const start = performance.now();
+    const frame_times = this.#inUnits(times, window.begin);
+    const { poses } = await this.recover.run({ ...window.inputs, frame_times });
+    return { poses: fromNet(poses!.data, window.frame), ms: performance.now() - start };
   }
 
   /**
-   * ForecastNet: poses at T times from a window's last sample on. It cleans the samples once more, in
-   * its own way.
+   * ForecastNet: poses at T times from the last sample of a window on. It cleans the samples itself.
+   * @param sampleTimes S seconds, increasing
    * @param times T seconds, increasing
    */
-  forecastAt(window: CleanWindow, times: Float64Array): Promise<TimedPoses> {
+  async forecastAt(
+    samples: readonly PoseEstimate[],
+    sampleTimes: Float64Array,
+    times: Float64Array,
+  ): Promise<TimedPoses> {
     if (!this.forecast) throw new Error('The forecast net has not been loaded.');
-    const { sampled, inputs } = window;
-    const { sample_times } = inputs;
-    return this.#posesOf(this.forecast, { sampled, sample_times }, window, times);
+    const start = performance.now();
+    const { sampled, frame } = buildSampled(this.entry, samples);
+    const begin = sampleTimes[0]!;
+    const { poses } = await this.forecast.run({
+      sampled,
+      sample_times: this.#inUnits(sampleTimes, begin),
+      frame_times: this.#inUnits(times, begin),
+    });
+    return { poses: fromNet(poses!.data, frame), ms: performance.now() - start };
   }
 
   get hasForecast(): boolean {
@@ -142,18 +153,6 @@ export class NetPair {
   /** Adds the net that {@link forecastAt} runs. */
   async addForecast(file: Uint8Array): Promise<void> {
     this.forecast ??= await Net.create(file);
-  }
-
-  async #posesOf(
-    net: Net,
-    inputs: Readonly<Record<string, Matrix>>,
-    window: CleanWindow,
-    times: Float64Array,
-  ): Promise<TimedPoses> {
-    const start = performance.now();
-    const frame_times = this.#inUnits(times, window.begin);
-    const { poses } = await net.run({ ...inputs, frame_times });
-    return { poses: fromNet(poses!.data, window.frame), ms: performance.now() - start };
   }
 
   #inUnits(times: Float64Array, begin: number): Matrix {

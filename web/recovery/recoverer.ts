@@ -20,9 +20,6 @@ export interface PairRun {
   readonly frames: number;
   readonly denoiseMs: number;
   readonly recoverMs: number;
-  /** Times looked ahead to, and how long that took; live playback's alone. */
-  readonly ahead?: number;
-  readonly forecastMs?: number;
 }
 
 const KEYPOINTS = BLAZEPOSE_33.joints.length;
@@ -81,8 +78,8 @@ export class Recoverer {
     for (const [i, pair] of pairs.entries()) {
       if (pair.hasForecast) continue;
       await pair.addForecast(files[i]!);
-      const window = await pair.clean([NOBODY, NOBODY], Float64Array.of(0, 1 / 3));
-      await pair.forecastAt(window, Float64Array.of(1 / 3, 1 / 2));
+      const times = Float64Array.of(0, 1 / 3);
+      await pair.forecastAt([NOBODY, NOBODY], times, Float64Array.of(1 / 3, 1 / 2));
     }
   }
 

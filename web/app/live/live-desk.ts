@@ -20,6 +20,8 @@ import type { ShownFrame } from './live-view.ts';
 /** Figures change so many times a second. */
 const REPORT_MS = 500;
 
+const NOTHING_DRAWN = { frame: null, presence: 0 };
+
 const NOTHING_RECORDED =
   'Nothing was recorded: nobody was seen, or it was too short; record for a second or more.';
 
@@ -65,7 +67,8 @@ export class LiveDesk implements ReactiveController {
   #report: LiveReport | null = null;
   #frameRequest = 0;
   #reportTimer = 0;
-  #drawnFrame: number | null = null;
+  /** What the last picture showed. */
+  #drawn: { frame: number | null; presence: number } = NOTHING_DRAWN;
   #governor = new DrawGovernor();
   #recording = false;
   #recovering = false;
@@ -189,8 +192,10 @@ export class LiveDesk implements ReactiveController {
   }
 
   choose(choices: LiveChoices): void {
+    const before = this.#choices;
     this.#choices = choices;
-    this.#session?.change(this.#sessionSettings());
+    const concerned = choices.mode !== before.mode || choices.load !== before.load;
+    if (concerned) this.#session?.change(this.#sessionSettings());
     this.#host.requestUpdate();
   }
 
@@ -253,7 +258,7 @@ export class LiveDesk implements ReactiveController {
       this.#report = session.report;
       this.#host.requestUpdate();
     }, REPORT_MS) as unknown as number;
-    this.#drawnFrame = null;
+    this.#drawn = NOTHING_DRAWN;
     this.#governor = new DrawGovernor();
     this.#frameRequest = requestAnimationFrame(this.#draw);
   }
@@ -268,9 +273,12 @@ export class LiveDesk implements ReactiveController {
     if (!session) return;
     this.#frameRequest = requestAnimationFrame(this.#draw);
     const view = session.view(performance.now() / 1000);
-    const fresh = view.frame !== this.#drawnFrame;
+    const { frame } = view;
+    const presence = view.pose?.presence ?? 0;
+    // Somebody fades also where no more frames come.
+    const fresh = frame !== this.#drawn.frame || presence !== this.#drawn.presence;
     if (this.#page.isSlowToDraw() && !fresh) return;
-    this.#drawnFrame = view.frame;
+    this.#drawn = { frame, presence };
     this.#page.draw(view, this.#governor.offer(stamp));
   };
 

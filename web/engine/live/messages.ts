@@ -40,8 +40,8 @@ export type WatchAnswer =
   | {
       readonly kind: 'watched';
       readonly estimate: PoseEstimate | null;
-      readonly recovered: LiveChunk | null;
-      readonly forecast: LiveChunk | null;
+      /** What to show next: the newest interval, or what is to come. */
+      readonly chunk: LiveChunk | null;
       readonly estimatorMs: number;
       readonly denoiseMs: number;
       readonly recoverMs: number;

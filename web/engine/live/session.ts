@@ -230,17 +230,16 @@ export class WorkerLiveSession implements LiveSession {
   }
 
   #take(answer: Extract<WatchAnswer, { kind: 'watched' }>, time: number, now: number): void {
-    const { mode } = this.#settings;
     this.#meter.addWatched({ at: now, ...answer });
     this.#watch.answered(now, answer.estimate !== null);
-    const chunk = mode === 'now' ? answer.forecast : answer.recovered;
-    if (answer.recovered) {
-      const first = answer.recovered.times[0]!;
+    const { chunk } = answer;
+    if (chunk) {
+      const first = chunk.times[0]!;
       const usual = 1.3 * this.#sampler.every * this.#clock.period;
       // A stretch over a missing sample is late by nature.
       if (time - first <= Math.max(usual, 0.05)) this.#delay.arrived(first, now);
+      this.#track.append(chunk, this.#shownTime);
     }
-    if (chunk) this.#track.append(chunk, this.#shownTime);
     this.#updateState(now);
   }
 

@@ -33,18 +33,16 @@ export class LiveWork {
     const seen = await estimator.estimate(image, request.time * 1000);
     const estimatorMs = performance.now() - start;
     const estimate = isSomebody(seen) ? seen : null;
-    const { recovered, forecast, runs } = await this.#live.add({ ...request, estimate });
+    const { chunk, runs } = await this.#live.add({ ...request, estimate });
     const answer = { denoiseMs: 0, recoverMs: 0, denoiseFlops: 0, recoverFlops: 0 };
-    for (const { entry, samples, frames, denoiseMs, recoverMs, ahead, forecastMs } of runs) {
+    for (const { entry, forecast, samples, frames, denoiseMs, ms } of runs) {
+      const net = forecast ? entry.forecast : entry.recover;
       answer.denoiseMs += denoiseMs;
-      answer.denoiseFlops += netFlops(entry.denoise.flops, samples, frames);
-      answer.recoverMs += recoverMs + (forecastMs ?? 0);
-      answer.recoverFlops += netFlops(entry.recover.flops, samples, frames);
-      if (ahead && entry.forecast) {
-        answer.recoverFlops += netFlops(entry.forecast.flops, samples, ahead);
-      }
+      answer.recoverMs += ms;
+      if (!forecast) answer.denoiseFlops += netFlops(entry.denoise.flops, samples, frames);
+      if (net) answer.recoverFlops += netFlops(net.flops, samples, frames);
     }
-    return { kind: 'watched', estimate, recovered, forecast, estimatorMs, ...answer };
+    return { kind: 'watched', estimate, chunk, estimatorMs, ...answer };
   }
 
   /** Recovers a recorded stretch as a file would be. */
