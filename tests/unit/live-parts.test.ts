@@ -102,6 +102,27 @@ describe('Recording', () => {
     expect(found.estimatorMs).toBe(150);
   });
 
+  test('ends with the look after the one who stops it, and waits for its answer', async () => {
+    const recording = new Recording();
+    const seen = estimate(() => 0.9);
+    const frame = (i: number) => recording.addFrame(i / 30, i % 10 === 0);
+    const answer = (i: number) => recording.addWatched(i / 30, seen, 50);
+    for (let i = 0; i <= 14; i++) frame(i);
+    answer(0);
+    let ended = false;
+    const end = recording.end().then(() => {
+      ended = true;
+    });
+    answer(10);
+    for (let i = 15; i <= 25; i++) frame(i);
+    expect(recording.until).toBeCloseTo(20 / 30);
+    await Promise.resolve();
+    expect(ended).toBe(false);
+    answer(20);
+    await end;
+    expect(recording.finish('r', 1, 1)!.info.frameCount).toBe(21);
+  });
+
   test('is nothing where nobody was seen, or it ended at once', () => {
     const recording = new Recording();
     recording.addFrame(1, true);

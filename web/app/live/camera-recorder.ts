@@ -34,18 +34,18 @@ export class CameraRecorder {
 
   /** A frame of the camera is on screen. */
   add({ video, frame }: ShownFrame): void {
-    const since = this.session.recordingSince;
-    if (!this.#over && since !== null && frame.time >= since)
-      this.#pictures?.add(video, frame.time);
+    const { recordingSince: since, recordingUntil: until } = this.session;
+    if (this.#over || since === null || frame.time < since) return;
+    if (until === null || frame.time <= until) this.#pictures?.add(video, frame.time);
   }
 
   /** Recovers what was recorded; null where nobody was seen, or it was too short. */
   async finish(): Promise<Recorded | null> {
-    this.#over = true;
     const pictures = this.#pictures;
     const stamp = new Date().toISOString().slice(0, 19).replaceAll(':', '-');
     const name = `recording-${stamp}.${pictures?.mimeType.includes('mp4') ? 'mp4' : 'webm'}`;
     const clip = await this.session.stopRecording(name);
+    this.#over = true;
     if (!clip) {
       await this.cancel();
       return null;

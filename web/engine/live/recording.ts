@@ -5,16 +5,27 @@ import type { ClipInfo } from '../../sources/clip.ts';
 /** Fewer frames are no movement. */
 const FEWEST_FRAMES = 2;
 
+/** No longer is waited for the look that ends a recording: frames may have stopped to come. */
+const LAST_LOOK_MS = 1500;
+
 /** What has to be kept of live playback to recover it afterwards like a file. */
 export class Recording {
   #times: number[] = [];
   #watched: number[] = [];
   #seen: SeenSample[] = [];
   #estimatorMs = 0;
+  #ending = false;
+  #until: number | null = null;
+  #ended: () => void = () => {};
 
   /** Seconds on the page's clock: the first watched frame's; null until there is one. */
   get since(): number | null {
     return this.#times[0] ?? null;
+  }
+
+  /** The last frame's time, on the same clock; null until that has come. */
+  get until(): number | null {
+    return this.#until;
   }
 
   /**
@@ -22,7 +33,21 @@ export class Recording {
    * @param time seconds on the page's clock
    */
   addFrame(time: number, watched: boolean): void {
-    if (watched || this.#times.length > 0) this.#times.push(time);
+    if (this.#until !== null || !(watched || this.#times.length > 0)) return;
+    this.#times.push(time);
+    if (this.#ending && watched) this.#until = time;
+  }
+
+  /** Ends with the next look, so that frames up to now are recovered too. Waits for its answer. */
+  end(): Promise<void> {
+    this.#ending = true;
+    return new Promise((resolve) => {
+      const timer = setTimeout(resolve, LAST_LOOK_MS);
+      this.#ended = () => {
+        clearTimeout(timer);
+        resolve();
+      };
+    });
   }
 
   /** What the estimator found in one of them. */
@@ -32,6 +57,7 @@ export class Recording {
     this.#watched.push(frame);
     this.#estimatorMs += estimatorMs;
     if (estimate) this.#seen.push({ frame, estimate });
+    if (time === this.#until) this.#ended();
   }
 
   /**

@@ -89,6 +89,10 @@ export class WorkerLiveSession implements LiveSession {
     return this.#recording?.since ?? null;
   }
 
+  get recordingUntil(): number | null {
+    return this.#recording?.until ?? null;
+  }
+
   change(settings: LiveSettings): void {
     const before = this.#settings;
     this.#sampler.choose(settings.every, settings.load);
@@ -145,8 +149,10 @@ export class WorkerLiveSession implements LiveSession {
   }
 
   async stopRecording(name: string): Promise<RecoveredClip | null> {
+    const recording = this.#recording;
+    await recording?.end();
     const { width, height } = this.#size ?? { width: 0, height: 0 };
-    const found = this.#recording?.finish(name, width, height) ?? null;
+    const found = recording?.finish(name, width, height) ?? null;
     this.#recording = null;
     if (!found) return null;
     const outcome = await this.host.life.whileAlive(

@@ -69,11 +69,13 @@ export interface LiveSession {
   /** Keeps what is needed to recover this stretch like a file. */
   startRecording(): void;
   /**
-   * Ends the recording and recovers all of its frames.
+   * Ends the recording with the next look, and recovers all of its frames.
    * @returns its poses, times from 0; null where it was too short or nobody was seen
    */
   stopRecording(name: string): Promise<RecoveredClip | null>;
   /** When the recording began, in seconds on the page's clock; null while there is none. */
   readonly recordingSince: number | null;
+  /** When it ended, on the same clock, while its frames are still being recovered. */
+  readonly recordingUntil: number | null;
   close(): void;
 }
