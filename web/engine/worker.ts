@@ -85,7 +85,10 @@ const engine: EngineWorker = {
   async watch(image, request) {
     try {
       if (!live) throw new Error('live playback has not been prepared');
-      const answer = await live.watch(pictures.draw(image), request);
+      const picture = pictures.draw(image);
+      // Before the look, which takes long: the camera has few frames to lend.
+      image.close();
+      const answer = await live.watch(picture, request);
       return Comlink.transfer(answer, chunkBuffers(answer));
     } catch (error) {
       return failureOf(error);
