@@ -3,7 +3,7 @@
 import hashlib
 import io
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import torch
 
@@ -19,6 +19,7 @@ FORMATS: dict[type, str] = {
     ForecastConfig: "deciwatch-forecast/1",
 }
 Config = PairConfig | ForecastConfig
+Net = TypeVar("Net", Pair, ForecastNet)
 
 
 def default_path(dims: int) -> Path:
@@ -75,14 +76,7 @@ def load_pair(path: Path, dims: int | None = None) -> tuple[Pair, dict[str, Any]
     config: PairConfig = content["config"]
     if dims is not None and config.dims != dims:
         raise UserError(f"{path} holds a {config.dims}D pair; name a {dims}D one by --checkpoint.")
-    pair = Pair(config)
-    try:
-        pair.load_state_dict(content["weights"])
-    except RuntimeError as error:
-        raise UserError(
-            f"The weights in {path} do not fit its own configuration; train or fetch it again."
-        ) from error
-    return pair.eval(), content
+    return _with_weights(Pair(config), content, path), content
 
 
 def load_forecast(path: Path, dims: int | None = None) -> tuple[ForecastNet, dict[str, Any]]:
@@ -94,14 +88,18 @@ def load_forecast(path: Path, dims: int | None = None) -> tuple[ForecastNet, dic
     config: ForecastConfig = content["config"]
     if dims is not None and config.dims != dims:
         raise UserError(f"{path} holds a {config.dims}D ForecastNet; name a {dims}D one.")
-    net = ForecastNet(config)
+    return _with_weights(ForecastNet(config), content, path), content
+
+
+def _with_weights(net: Net, content: dict[str, Any], path: Path) -> Net:
+    """`net` with a checkpoint's weights, in evaluation mode. Raises UserError where they misfit."""
     try:
         net.load_state_dict(content["weights"])
     except RuntimeError as error:
         raise UserError(
             f"The weights in {path} do not fit its own configuration; train or fetch it again."
         ) from error
-    return net.eval(), content
+    return net.eval()
 
 
 def digest(path: Path) -> str:

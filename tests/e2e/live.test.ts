@@ -111,8 +111,11 @@ describe('the camera on the built demo', () => {
     await whenReady(page);
     await startCamera(page);
     await expect.poll(() => state(page), { timeout: 90_000 }).toBe('following');
+    await page.getByTestId('every').fill('4');
     await page.getByTestId('stop-camera').click();
     await whenReady(page);
+    // The controls say again what the clip's poses were made with.
+    await expect.poll(() => page.getByTestId('every').inputValue()).toBe('10');
     await page.getByTestId('start-camera').click();
     const track = (run: string) =>
       page.getByTestId('camera').evaluate((element, code) => {

@@ -138,6 +138,13 @@ export class ClipDesk implements ReactiveController {
     if (file) this.#forget(file);
   }
 
+  /** Goes back to the settings that the shown poses were made with. */
+  resume(): void {
+    // A new object, so that the controls show again what is in force.
+    this.#settings = { ...(this.#shown?.result?.settings ?? this.#settings) };
+    this.#host.requestUpdate();
+  }
+
   /** What somebody should know. */
   say(words: { error?: string; note?: string; status?: string }): void {
     this.#say(words);
@@ -150,8 +157,7 @@ export class ClipDesk implements ReactiveController {
     const file = this.#work.job?.file ?? this.#shown?.file;
     if (!file || this.waiting) return;
     if (file.blank) {
-      // A new object, so that the controls show again what is in force.
-      this.#settings = { ...(this.#shown?.result?.settings ?? settings) };
+      this.resume();
       this.#say({ note: BLANK });
       return;
     }

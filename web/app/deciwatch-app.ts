@@ -56,6 +56,7 @@ export class DeciWatchApp extends LitElement {
     draw: (moment, stage) => this.liveSection?.draw(moment, stage),
     isSlowToDraw: () => this.liveSection?.isSlowToDraw ?? false,
     recorded: (file, clip, settings) => this.desk.showRecording(file, clip, settings),
+    stopped: () => this.desk.resume(),
     say: (words) => this.desk.say(words),
   });
   private readonly drop = new FileDrop(this, (files) => this.openFiles(files));

@@ -18,14 +18,12 @@ export function interpolateScores(
       const from = seen[position]!;
       // A window's last sample stands for its own frame alone.
       const to = seen[samples[s + 1] ?? position]!;
-      const length = times[to.frame]! - times[from.frame]!;
-      for (let frame = from.frame; frame <= to.frame; frame++) {
-        const share = length > 0 ? (times[frame]! - times[from.frame]!) / length : 0;
-        for (let k = 0; k < keypoints; k++) {
-          const start = from.estimate.scores[k]!;
-          scores[frame * keypoints + k] = start + share * (to.estimate.scores[k]! - start);
-        }
-      }
+      const between = scoresBetween(
+        { time: times[from.frame]!, estimate: from.estimate },
+        { time: times[to.frame]!, estimate: to.estimate },
+        times.subarray(from.frame, to.frame + 1),
+      );
+      scores.set(between, from.frame * keypoints);
     }
   }
   return scores;

@@ -4,7 +4,7 @@ import { hasPose, type PoseSequence, poseAt } from '../pose/sequence.ts';
 const SMOOTHING_S = 0.1;
 
 /** How far from the lowest joint's centre the sole is. */
-const SOLE_M = 0.022;
+export const SOLE_M = 0.022;
 
 const NEAR_GROUND_M = 0.2;
 
@@ -51,7 +51,8 @@ export function estimateStanding(sequence: PoseSequence): Standing {
   };
 }
 
-function verticalExtent(pose: Float32Array): [low: number, high: number] {
+/** The lowest and the highest joint of a pose, in metres. */
+export function verticalExtent(pose: Float32Array): [low: number, high: number] {
   let low = Number.POSITIVE_INFINITY;
   let high = Number.NEGATIVE_INFINITY;
   for (let y = 1; y < pose.length; y += 3) {
@@ -62,7 +63,11 @@ function verticalExtent(pose: Float32Array): [low: number, high: number] {
 }
 
 /** Adds the places of the joints that are close to the ground. */
-function addFeet(feet: { x: number; z: number; count: number }, pose: Float32Array, low: number) {
+export function addFeet(
+  feet: { x: number; z: number; count: number },
+  pose: Float32Array,
+  low: number,
+) {
   for (let at = 0; at < pose.length; at += 3) {
     if (pose[at + 1]! > low + NEAR_GROUND_M) continue;
     feet.x += pose[at]!;

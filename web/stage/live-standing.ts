@@ -1,12 +1,9 @@
-/** How far from the lowest joint's centre the sole is, as in ground-level.ts. */
-const SOLE_M = 0.022;
+import { addFeet, SOLE_M, verticalExtent } from './ground-level.ts';
 
 /** Seconds in which the hip's height, the place of the feet and the stature follow what is seen. */
 const HIP_S = 0.12;
 const FEET_S = 2;
 const STATURE_S = 4;
-
-const NEAR_GROUND_M = 0.2;
 
 /**
  * Where somebody stands whose poses come one by one: the lowest joint on the ground, the feet in the
@@ -23,25 +20,15 @@ export class LiveStanding {
    * @param time seconds
    */
   follow(values: Float32Array, time: number): void {
-    let low = Number.POSITIVE_INFINITY;
-    let high = Number.NEGATIVE_INFINITY;
-    for (let y = 1; y < values.length; y += 3) {
-      low = Math.min(low, values[y]!);
-      high = Math.max(high, values[y]!);
-    }
-    let [x, z, count] = [0, 0, 0];
-    for (let at = 0; at < values.length; at += 3) {
-      if (values[at + 1]! > low + NEAR_GROUND_M) continue;
-      x += values[at]!;
-      z += values[at + 2]!;
-      count++;
-    }
+    const [low, high] = verticalExtent(values);
+    const feet = { x: 0, z: 0, count: 0 };
+    addFeet(feet, values, low);
     const passed = this.#last === null ? Number.POSITIVE_INFINITY : Math.max(0, time - this.#last);
     this.#last = time;
     const share = (seconds: number) => 1 - Math.exp(-passed / seconds);
     this.hipHeight += share(HIP_S) * (SOLE_M - low - this.hipHeight);
-    this.feet[0] += share(FEET_S) * (x / count - this.feet[0]);
-    this.feet[1] += share(FEET_S) * (z / count - this.feet[1]);
+    this.feet[0] += share(FEET_S) * (feet.x / feet.count - this.feet[0]);
+    this.feet[1] += share(FEET_S) * (feet.z / feet.count - this.feet[1]);
     // Nobody is shorter for sitting down: it falls slowly.
     const stature = high - low;
     const rise = stature > this.stature ? share(HIP_S) : share(STATURE_S) / 4;

@@ -1,4 +1,4 @@
-import { DeciWatchError } from '../../errors.ts';
+import { finishVideo, openVideoOutput } from './video-output.ts';
 
 /** Pixels of the longer side of a video that shows nothing. */
 const BLANK_SIDE = 64;
@@ -8,22 +8,14 @@ const BLANK_SIDE = 64;
  * like any other.
  * @param times seconds, from 0, increasing
  * @param aspect width by height
+ * @throws DeciWatchError `browser-unsupported`
  */
 export async function blankVideo(times: Float64Array, aspect: number): Promise<Blob> {
   const even = (length: number) => Math.max(2, 2 * Math.round(length / 2));
   const width = even(aspect >= 1 ? BLANK_SIDE : BLANK_SIDE * aspect);
   const height = even(aspect >= 1 ? BLANK_SIDE / aspect : BLANK_SIDE);
-  const bunny = await import('mediabunny');
-  const codec = await bunny.getFirstEncodableVideoCodec(['vp8', 'vp9', 'avc'], { width, height });
-  if (!codec) {
-    throw new DeciWatchError(
-      'browser-unsupported',
-      'This browser cannot encode video, so that a recording cannot be played here: use another browser.',
-    );
-  }
-  const target = new bunny.BufferTarget();
-  const format = codec === 'avc' ? new bunny.Mp4OutputFormat() : new bunny.WebMOutputFormat();
-  const output = new bunny.Output({ format, target });
+  const video = await openVideoOutput(['vp8', 'vp9', 'avc'], width, height);
+  const { bunny, output, codec } = video;
   const canvas = Object.assign(document.createElement('canvas'), { width, height });
   canvas.getContext('2d', { alpha: false });
   const source = new bunny.CanvasSource(canvas, { codec, bitrate: 20_000, keyFrameInterval: 1 });
@@ -32,6 +24,5 @@ export async function blankVideo(times: Float64Array, aspect: number): Promise<B
   for (const [i, time] of times.entries()) {
     await source.add(time, (times[i + 1] ?? time + 1 / 30) - time);
   }
-  await output.finalize();
-  return new Blob([target.buffer!], { type: format.mimeType });
+  return finishVideo(video);
 }

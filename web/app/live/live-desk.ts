@@ -49,6 +49,8 @@ export interface LivePage {
   isSlowToDraw(): boolean;
   /** A recording is ready to be played. */
   recorded(file: ClipFile, clip: RecoveredClip, settings: Settings): void;
+  /** The camera was put away, with nothing recorded: what was there before shows again. */
+  stopped(): void;
   /** One sentence for people. */
   say(words: { error?: string; note?: string; status?: string }): void;
 }
@@ -184,6 +186,12 @@ export class LiveDesk implements ReactiveController {
     this.#host.requestUpdate();
   }
 
+  /** Switches the camera off, and goes back to what was there before. */
+  putAway(): void {
+    this.stop();
+    this.#page.stopped();
+  }
+
   /** Another N or estimator. */
   change(settings: Settings): void {
     this.#settings = settings;
@@ -295,7 +303,7 @@ export class LiveDesk implements ReactiveController {
   };
 
   #fail(error: unknown): void {
-    this.stop();
+    this.putAway();
     this.#page.say({ error: messageOf(error), status: '' });
   }
 }

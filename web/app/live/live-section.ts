@@ -113,7 +113,7 @@ export class LiveSection extends LitElement {
   private act(action: LiveAction): void {
     switch (action) {
       case 'stop':
-        this.desk.stop();
+        this.desk.putAway();
         break;
       case 'record':
         this.desk.startRecording();

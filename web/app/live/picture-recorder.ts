@@ -1,4 +1,5 @@
-import { DeciWatchError } from '../../errors.ts';
+import type { VideoSampleSource } from 'mediabunny';
+import { finishVideo, openVideoOutput, type VideoOutput } from './video-output.ts';
 
 /** Encodings in the order of preference; all play in every current browser's <video>. */
 const CODECS = ['avc', 'vp9', 'vp8'] as const;
@@ -15,11 +16,8 @@ export class PictureRecorder {
   #last = -1;
 
   private constructor(
-    private readonly bunny: typeof import('mediabunny'),
-    private readonly output: import('mediabunny').Output,
-    private readonly source: import('mediabunny').VideoSampleSource,
-    private readonly target: import('mediabunny').BufferTarget,
-    readonly mimeType: string,
+    private readonly video: VideoOutput,
+    private readonly source: VideoSampleSource,
   ) {}
 
   /**
@@ -27,22 +25,17 @@ export class PictureRecorder {
    * @throws DeciWatchError `browser-unsupported`
    */
   static async start(width: number, height: number): Promise<PictureRecorder> {
-    const bunny = await import('mediabunny');
-    const codec = await bunny.getFirstEncodableVideoCodec([...CODECS], { width, height });
-    if (!codec) {
-      throw new DeciWatchError(
-        'browser-unsupported',
-        'This browser cannot encode video: record without the picture, or use another browser.',
-      );
-    }
-    const target = new bunny.BufferTarget();
-    const format = codec === 'avc' ? new bunny.Mp4OutputFormat() : new bunny.WebMOutputFormat();
-    const output = new bunny.Output({ format, target });
+    const video = await openVideoOutput(CODECS, width, height);
+    const { bunny, output, codec } = video;
     const bitrate = Math.max(100_000, width * height * BITS_PER_PIXEL);
     const source = new bunny.VideoSampleSource({ codec, bitrate, keyFrameInterval: 1 });
     output.addVideoTrack(source);
     await output.start();
-    return new PictureRecorder(bunny, output, source, target, format.mimeType);
+    return new PictureRecorder(video, source);
+  }
+
+  get mimeType(): string {
+    return this.video.mimeType;
   }
 
   /**
@@ -59,17 +52,16 @@ export class PictureRecorder {
   }
 
   /** The whole video. */
-  async finish(): Promise<Blob> {
-    await this.output.finalize();
-    return new Blob([this.target.buffer!], { type: this.mimeType });
+  finish(): Promise<Blob> {
+    return finishVideo(this.video);
   }
 
   async cancel(): Promise<void> {
-    await this.output.cancel();
+    await this.video.output.cancel();
   }
 
   async #encode(frame: VideoFrame): Promise<void> {
-    const sample = new this.bunny.VideoSample(frame);
+    const sample = new this.video.bunny.VideoSample(frame);
     this.#waiting++;
     try {
       await this.source.add(sample);
