@@ -3,7 +3,8 @@ import { defaultClientConditions, defineConfig } from 'vite';
 export default defineConfig({
   // Relative, so that the built site works from any folder of any host.
   base: './',
-  worker: { format: 'es' },
+  // One file, which names no other: it can be copied, renamed and started from another origin.
+  worker: { format: 'es', rollupOptions: { output: { codeSplitting: false } } },
   resolve: {
     // Makes `onnxruntime-web/wasm` the build that fetches its two files from the addresses we give
     // it, rather than the one with its loader inlined, which hangs inside another's module worker.

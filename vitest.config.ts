@@ -29,6 +29,7 @@ export default defineConfig(async () => ({
         test: {
           name: 'browser',
           include: ['tests/browser/**/*.test.ts'],
+          setupFiles: ['tests/browser/setup.ts'],
           testTimeout: 60_000,
           // Two cores: files side by side would only slow each other.
           fileParallelism: false,

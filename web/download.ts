@@ -10,6 +10,14 @@ export interface FileEntry {
   readonly sha256: string;
 }
 
+/** A manifest, and where the files that it lists are: beside it, unless named here. */
+export interface FileSet {
+  /** The manifest's address. */
+  readonly manifest: string;
+  /** Addresses by the file's name in the manifest; bundlers give files names of their own. */
+  readonly files?: Readonly<Record<string, string>>;
+}
+
 /** The part that every file entry of a manifest has. */
 export const fileEntries = {
   file: v.pipe(v.string(), v.minLength(1)),
@@ -43,10 +51,11 @@ async function get(url: URL, signal?: AbortSignal): Promise<Response> {
  * @throws DeciWatchError `model-missing` where it cannot be had, `model-mismatch` where it does not fit the schema.
  */
 export async function fetchManifest<TSchema extends v.GenericSchema>(
-  url: URL,
+  { manifest }: FileSet,
   schema: TSchema,
   signal?: AbortSignal,
 ): Promise<v.InferOutput<TSchema>> {
+  const url = new URL(manifest);
   const response = await get(url, signal);
   const mismatch = (why: string) =>
     new DeciWatchError(
@@ -72,11 +81,13 @@ export async function fetchManifest<TSchema extends v.GenericSchema>(
  * @throws DeciWatchError `model-missing` where it cannot be had, `model-mismatch` where it is another file.
  */
 export async function fetchListed(
-  manifestUrl: URL,
+  set: FileSet,
   entry: FileEntry,
   signal?: AbortSignal,
 ): Promise<Uint8Array<ArrayBuffer>> {
-  const url = new URL(entry.file, manifestUrl);
+  const url = new URL(set.files?.[entry.file] ?? entry.file, set.manifest);
+  // Another file has another address: no cache answers with the one of an earlier release.
+  if (url.protocol.startsWith('http')) url.search = entry.sha256.slice(0, 16);
   const response = await get(url, signal);
   const bytes = new Uint8Array(await response.arrayBuffer());
   const mismatch = (why: string) =>

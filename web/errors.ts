@@ -1,6 +1,7 @@
 /** What went wrong, for code that must act on it; the message is for people. */
 export type DeciWatchErrorCode =
   | 'bad-option'
+  | 'file-missing'
   | 'file-unreadable'
   | 'file-truncated'
   | 'no-video-track'
@@ -14,6 +15,7 @@ export type DeciWatchErrorCode =
   | 'camera-insecure'
   | 'camera-lost'
   | 'browser-unsupported'
+  | 'webgl-unavailable'
   | 'pose-file-invalid'
   | 'engine-crashed';
 

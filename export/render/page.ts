@@ -1,4 +1,5 @@
 import { PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import { engineFiles } from '../../web/engine/files.ts';
 import { MediaPipeEstimator } from '../../web/estimators/mediapipe.ts';
 import type { EstimatorName } from '../../web/estimators/names.ts';
 import { Avatar, matrixAt } from './avatar.ts';
@@ -24,7 +25,7 @@ function estimatorNamed(name: EstimatorName): Promise<MediaPipeEstimator> {
   let estimator = estimators.get(name);
   if (!estimator) {
     estimator = bytes(`/estimators/pose_landmarker_${name}.task`).then((bundle) =>
-      MediaPipeEstimator.create({ name, flops: 0, bundle }),
+      MediaPipeEstimator.create({ name, flops: 0, bundle, files: engineFiles().mediapipe }),
     );
     estimators.set(name, estimator);
   }

@@ -190,14 +190,14 @@ test('another estimator takes over, with its own cost', async () => {
 
 test('a missing manifest, and one that is something else, are told by their address', async () => {
   const cases: [string, DeciWatchErrorCode][] = [
-    ['/models/nowhere.json', 'model-missing'],
-    ['/estimators/manifest.json', 'model-mismatch'],
+    ['/nowhere', 'model-missing'],
+    ['/tests/fixtures/foreign', 'model-mismatch'],
   ];
-  for (const [modelsUrl, code] of cases) {
-    const other = createEngine({ modelsUrl });
+  for (const [models, code] of cases) {
+    const other = createEngine({ models });
     const job = other.recover(await fixture('gap.mp4'), 'gap.mp4', options());
     await expect(job).rejects.toMatchObject({ code });
-    await expect(job).rejects.toThrow(modelsUrl);
+    await expect(job).rejects.toThrow(`${models}/models/manifest.json`);
     other.close();
   }
 });

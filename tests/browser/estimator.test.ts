@@ -1,12 +1,13 @@
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { fetchListed } from '../../web/download.ts';
+import { engineFiles } from '../../web/engine/files.ts';
 import type { PoseEstimate, PoseEstimator } from '../../web/estimators/estimator.ts';
 import { fetchEstimatorManifest } from '../../web/estimators/manifest.ts';
 import { MediaPipeEstimator } from '../../web/estimators/mediapipe.ts';
 import { openFile } from '../../web/sources/file.ts';
 import { fixture, walk } from './fixtures.ts';
 
-const MANIFEST_URL = new URL('/estimators/manifest.json', location.href);
+const { estimators: BUNDLES, mediapipe: FILES } = engineFiles();
 const NOSE = 0;
 const LEFT_HIP = 23;
 const RIGHT_HIP = 24;
@@ -14,10 +15,10 @@ const LEFT_HEEL = 29;
 
 let estimator: PoseEstimator;
 beforeAll(async () => {
-  const { estimators } = await fetchEstimatorManifest(MANIFEST_URL);
-  const bundle = await fetchListed(MANIFEST_URL, estimators.lite);
+  const { estimators } = await fetchEstimatorManifest(BUNDLES);
+  const bundle = await fetchListed(BUNDLES, estimators.lite);
   const flops = estimators.lite.flops.perCall;
-  estimator = await MediaPipeEstimator.create({ name: 'lite', flops, bundle });
+  estimator = await MediaPipeEstimator.create({ name: 'lite', flops, bundle, files: FILES });
 });
 afterAll(() => estimator.close());
 

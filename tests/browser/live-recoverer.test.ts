@@ -1,4 +1,5 @@
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { engineFiles } from '../../web/engine/files.ts';
 import type { PoseEstimate } from '../../web/estimators/estimator.ts';
 import { type LiveChunk, LiveRecoverer } from '../../web/recovery/live-recoverer.ts';
 import { Recoverer } from '../../web/recovery/recoverer.ts';
@@ -9,7 +10,7 @@ const INTERVAL = 1 / 3;
 
 let recoverer: Recoverer;
 beforeAll(async () => {
-  recoverer = await Recoverer.load(new URL('/models/manifest.json', location.href));
+  recoverer = await Recoverer.load(engineFiles().models);
   await recoverer.loadForecasts();
 });
 afterAll(() => recoverer.dispose());

@@ -8,7 +8,7 @@ import cases from '../fixtures/official/cases.json';
 /** onnxruntime-web adds up in another order than torch does. */
 const TOLERANCE = 1e-4;
 
-const MANIFEST_URL = new URL('../fixtures/official/manifest.json', import.meta.url);
+const OFFICIAL = { manifest: new URL('../fixtures/official/manifest.json', import.meta.url).href };
 
 type Case = (typeof cases)['3d'];
 
@@ -23,7 +23,7 @@ function expectEqual(actual: Matrix | undefined, { data, dims }: Case[keyof Case
 }
 
 test('the page can load what import-official wrote', async () => {
-  const recoverer = await Recoverer.load(MANIFEST_URL);
+  const recoverer = await Recoverer.load(OFFICIAL);
   await recoverer.dispose();
 });
 
@@ -32,8 +32,8 @@ describe.each(['3d', '2d'] as const)('imported %s nets', (name) => {
   let denoise: Net;
   let recover: Net;
   beforeAll(async () => {
-    const { pairs } = await fetchModelManifest(MANIFEST_URL);
-    const files = await fetchPair(MANIFEST_URL, pairs[name]);
+    const { pairs } = await fetchModelManifest(OFFICIAL);
+    const files = await fetchPair(OFFICIAL, pairs[name]);
     denoise = await Net.create(files.denoise);
     recover = await Net.create(files.recover);
     return () => Promise.all([denoise.dispose(), recover.dispose()]);

@@ -1,5 +1,6 @@
 import { beforeAll, describe, expect, test } from 'vitest';
 import { fetchListed } from '../../web/download.ts';
+import { engineFiles } from '../../web/engine/files.ts';
 import { fetchModelManifest, type ModelManifest } from '../../web/recovery/manifest.ts';
 import { fetchPair, NetPair } from '../../web/recovery/net-pair.ts';
 import { Net } from '../../web/recovery/runtime.ts';
@@ -10,14 +11,14 @@ import parity3d from '../fixtures/parity-3d.json';
 /** onnxruntime-web adds up in another order than torch does. */
 const TOLERANCE = 1e-4;
 
-const MANIFEST_URL = new URL('/models/manifest.json', location.href);
+const { models: MODELS } = engineFiles();
 
 type Case = (typeof parity3d.cases)[number];
 type Name = keyof Case['shapes'];
 
 let manifest: ModelManifest;
 beforeAll(async () => {
-  manifest = await fetchModelManifest(MANIFEST_URL);
+  manifest = await fetchModelManifest(MODELS);
 });
 
 function given(from: Case, name: Name) {
@@ -38,9 +39,9 @@ describe.each([
   let forecast: Net;
   beforeAll(async () => {
     const pair = manifest.pairs[name];
-    denoise = await Net.create(await fetchListed(MANIFEST_URL, pair.denoise));
-    recover = await Net.create(await fetchListed(MANIFEST_URL, pair.recover));
-    forecast = await Net.create(await fetchListed(MANIFEST_URL, pair.forecast!));
+    denoise = await Net.create(await fetchListed(MODELS, pair.denoise));
+    recover = await Net.create(await fetchListed(MODELS, pair.recover));
+    forecast = await Net.create(await fetchListed(MODELS, pair.forecast!));
     return () => Promise.all([denoise.dispose(), recover.dispose(), forecast.dispose()]);
   });
 
@@ -79,10 +80,10 @@ describe.each([
 describe.each(['3d', '2d'] as const)('from estimates to %s poses with every input', (name) => {
   let pair: NetPair;
   beforeAll(async () => {
-    const url = new URL('../fixtures/models/manifest.json', import.meta.url);
-    const entry = (await fetchModelManifest(url)).pairs[name];
+    const set = { manifest: new URL('../fixtures/models/manifest.json', import.meta.url).href };
+    const entry = (await fetchModelManifest(set)).pairs[name];
     expect([...entry.inputs].sort()).toEqual(['2d', '3d', 'scores']);
-    pair = await NetPair.create(entry, await fetchPair(url, entry));
+    pair = await NetPair.create(entry, await fetchPair(set, entry));
     return () => pair.dispose();
   });
 

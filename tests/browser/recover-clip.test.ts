@@ -1,4 +1,5 @@
 import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
+import { engineFiles } from '../../web/engine/files.ts';
 import { ProgressReporter } from '../../web/engine/progress.ts';
 import { recoverClip } from '../../web/engine/recover-clip.ts';
 import type { PoseEstimator } from '../../web/estimators/estimator.ts';
@@ -34,7 +35,7 @@ class FakeEstimator implements PoseEstimator {
 let recoverer: Recoverer;
 let openFrames: OpenFrames;
 beforeAll(async () => {
-  recoverer = await Recoverer.load(new URL('/models/manifest.json', location.href));
+  recoverer = await Recoverer.load(engineFiles().models);
 });
 afterAll(() => recoverer.dispose());
 beforeEach(() => {

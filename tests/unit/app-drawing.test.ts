@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
-import { containedRect } from '../../web/app/letterbox.ts';
 import { shortcutFor } from '../../web/app/shortcuts.ts';
-import { frameX, labelStep } from '../../web/app/timeline-painter.ts';
+import { containedRect } from '../../web/player/parts/letterbox.ts';
+import { frameX, labelStep } from '../../web/player/parts/timeline-painter.ts';
 
 describe('containedRect', () => {
   test('a wide picture leaves bands above and below', () => {

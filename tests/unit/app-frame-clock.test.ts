@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { FrameClock } from '../../web/app/frame-clock.ts';
+import { FrameClock } from '../../web/player/parts/frame-clock.ts';
 
 /** A phone's clip: uneven frames that do not begin at 0. */
 const times = Float64Array.of(0.1, 0.133, 0.2, 0.233);

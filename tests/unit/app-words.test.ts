@@ -1,16 +1,16 @@
 import { describe, expect, test } from 'vitest';
 import { compareMs, costHeadline } from '../../web/app/cost-words.ts';
 import { pickVideo } from '../../web/app/dropped-file.ts';
+import { pageState } from '../../web/app/page-state.ts';
+import type { CostReport } from '../../web/cost/report.ts';
 import {
   formatFlops,
   formatMs,
   formatOrdinal,
   formatPercent,
   formatTime,
-} from '../../web/app/format.ts';
-import { pageState } from '../../web/app/page-state.ts';
-import { NOT_STARTED } from '../../web/app/progress-words.ts';
-import type { CostReport } from '../../web/cost/report.ts';
+} from '../../web/player/parts/format.ts';
+import { NOT_STARTED } from '../../web/player/parts/progress-words.ts';
 
 const plain = (text: string) => text.replaceAll('\u00a0', ' ');
 

@@ -1,10 +1,10 @@
 import { describe, expect, test } from 'vitest';
-import { DrawGovernor } from '../../web/app/live/draw-governor.ts';
-import { loadWords } from '../../web/app/live/live-words.ts';
 import { LiveMeter } from '../../web/cost/live-meter.ts';
 import { isSomebody } from '../../web/engine/live/presence.ts';
 import { Recording } from '../../web/engine/live/recording.ts';
 import type { PoseEstimate } from '../../web/estimators/estimator.ts';
+import { DrawGovernor } from '../../web/player/live/draw-governor.ts';
+import { loadWords } from '../../web/player/live/live-words.ts';
 import { cameraError, cameraLost, insecurePage } from '../../web/sources/camera-errors.ts';
 import { LiveStanding } from '../../web/stage/live-standing.ts';
 

@@ -1,9 +1,9 @@
 import { css, html, LitElement, nothing } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
 import type { ClipInfo } from '../engine/types.ts';
-import { formatCount, formatTime } from './format.ts';
-import { icon } from './icons.ts';
-import { sharedStyles } from './styles.ts';
+import { formatCount, formatTime } from '../player/parts/format.ts';
+import { icon } from '../player/parts/icons.ts';
+import { sharedStyles } from '../player/parts/styles.ts';
 
 /**
  * What is shown, and the buttons to open another video and to save the poses.

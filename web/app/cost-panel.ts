@@ -1,11 +1,11 @@
 import { css, html, LitElement, type PropertyValues } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import type { RecoveredClip } from '../engine/types.ts';
+import { formatCount, formatFlops, formatSeconds } from '../player/parts/format.ts';
 import { compareMs, costHeadline } from './cost-words.ts';
 import { type CumulativeFlops, cumulativeFlops } from './cumulative-cost.ts';
-import { formatCount, formatFlops, formatSeconds } from './format.ts';
 import './ms-bars.ts';
-import { sharedStyles } from './styles.ts';
+import { sharedStyles } from '../player/parts/styles.ts';
 
 /** The counter: what this clip cost, against watching every frame of it. */
 @customElement('dw-cost-panel')

@@ -1,3 +1,4 @@
+import { engineFiles } from '../engine/files.ts';
 import { type EstimatorManifest, fetchEstimatorManifest } from '../estimators/manifest.ts';
 import type { EstimatorName } from '../estimators/names.ts';
 
@@ -11,6 +12,5 @@ export const ESTIMATOR_WORDS: Readonly<Record<EstimatorName, { label: string; me
 
 /** Download size and FLOPs of each variant, from the site's own manifest. */
 export async function fetchEstimatorFigures(): Promise<EstimatorManifest['estimators']> {
-  const url = new URL('estimators/manifest.json', document.baseURI);
-  return (await fetchEstimatorManifest(url)).estimators;
+  return (await fetchEstimatorManifest(engineFiles().estimators)).estimators;
 }

@@ -1,5 +1,5 @@
 import { html, nothing } from 'lit';
-import { icon } from './icons.ts';
+import { icon } from '../player/parts/icons.ts';
 
 /** A sentence that can be dismissed, or nothing. */
 export function renderNotice(kind: 'error' | 'note', text: string, dismiss: () => void) {

@@ -1,8 +1,8 @@
 import { css, html, LitElement } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import type { RecoverProgress } from '../engine/types.ts';
-import { progressWords } from './progress-words.ts';
-import { sharedStyles } from './styles.ts';
+import { progressWords } from '../player/parts/progress-words.ts';
+import { sharedStyles } from '../player/parts/styles.ts';
 
 /**
  * How far a running job is, and the button that ends it.

@@ -1,8 +1,8 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import type { RecoveredClip, RecoverProgress } from '../engine/types.ts';
 import { DeciWatchError } from '../errors.ts';
+import { NOT_STARTED } from '../player/parts/progress-words.ts';
 import type { PageEngine } from './page-engine.ts';
-import { NOT_STARTED } from './progress-words.ts';
 import type { Settings } from './settings.ts';
 
 /** A video to work on. */

@@ -2,11 +2,11 @@ import { css, html, LitElement, nothing } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import { ESTIMATOR_NAMES, type EstimatorName } from '../estimators/names.ts';
+import { formatFlops, formatMegabytes, formatOrdinal } from '../player/parts/format.ts';
+import { sharedStyles } from '../player/parts/styles.ts';
 import { MAX_INTERVAL, MIN_INTERVAL } from '../sampling/watched.ts';
 import { ESTIMATOR_WORDS, fetchEstimatorFigures } from './estimator-words.ts';
-import { formatFlops, formatMegabytes, formatOrdinal } from './format.ts';
 import type { Settings } from './settings.ts';
-import { sharedStyles } from './styles.ts';
 
 type Figures = Awaited<ReturnType<typeof fetchEstimatorFigures>>;
 

@@ -1,8 +1,8 @@
 import { css, html, LitElement } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
-import { icon } from './icons.ts';
+import { icon } from '../player/parts/icons.ts';
+import { sharedStyles } from '../player/parts/styles.ts';
 import { SHORTCUTS } from './shortcuts.ts';
-import { sharedStyles } from './styles.ts';
 
 const KEY_NAMES: Readonly<Record<string, string>> = { ' ': 'Space' };
 

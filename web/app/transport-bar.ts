@@ -1,10 +1,10 @@
 import { css, html, LitElement, nothing } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import type { RecoveredClip } from '../engine/types.ts';
-import { frameKind } from './clip-words.ts';
-import { formatCount, formatTime } from './format.ts';
-import { type IconName, icon } from './icons.ts';
-import { sharedStyles } from './styles.ts';
+import { frameKind } from '../player/parts/clip-words.ts';
+import { formatCount, formatTime } from '../player/parts/format.ts';
+import { type IconName, icon } from '../player/parts/icons.ts';
+import { sharedStyles } from '../player/parts/styles.ts';
 
 const RATES = [0.25, 0.5, 1];
 

@@ -1,35 +1,27 @@
 import * as Comlink from 'comlink';
-import estimatorManifestUrl from '/estimators/manifest.json?url';
-import modelManifestUrl from '/models/manifest.json?url';
 import { DeciWatchError } from '../errors.ts';
 import { ESTIMATOR_NAMES } from '../estimators/names.ts';
 import { checkInterval } from '../sampling/watched.ts';
+import { type EngineFiles, engineFiles } from './files.ts';
 import { WorkerLiveSession } from './live/session.ts';
 import type { LiveSession, LiveSettings } from './live/types.ts';
 import type { EngineWorker, Outcome } from './messages.ts';
-import type { ModelUrls } from './models.ts';
 import { startWorker } from './start-worker.ts';
 import type { Engine, RecoveredClip, RecoverOptions, RecoverProgress } from './types.ts';
 import { WorkerLife } from './worker-life.ts';
 
-/** For those who serve the models from elsewhere, or their own. Relative to the page. */
+/** For those who serve the models from elsewhere, or their own. */
 export interface EngineOptions {
-  /** Of `models/manifest.json`. */
-  readonly modelsUrl?: string | URL;
-  /** Of `estimators/manifest.json`. */
-  readonly estimatorsUrl?: string | URL;
+  /**
+   * A folder that holds `models/` and `estimators/`, each with its `manifest.json`, as the package does;
+   * relative to the page. Unless given, the folder of this module.
+   */
+  readonly models?: string | URL;
 }
 
 /** Makes an engine. Its worker starts with the first clip, and is started anew after a crash. */
 export function createEngine(options: EngineOptions = {}): Engine {
-  return new WorkerEngine({
-    models: absolute(options.modelsUrl, modelManifestUrl),
-    estimators: absolute(options.estimatorsUrl, estimatorManifestUrl),
-  });
-}
-
-function absolute(given: string | URL | undefined, own: string): string {
-  return given ? new URL(given, document.baseURI).href : new URL(own, import.meta.url).href;
+  return new WorkerEngine(engineFiles(options.models));
 }
 
 function checkEstimator(name: string): void {
@@ -62,7 +54,7 @@ class WorkerEngine implements Engine {
   #lastJob: Promise<unknown> = Promise.resolve();
   readonly #closing = new AbortController();
 
-  constructor(private readonly urls: ModelUrls) {}
+  constructor(private readonly files: EngineFiles) {}
 
   async recover(file: Blob, name: string, options: RecoverOptions): Promise<RecoveredClip> {
     checkInterval(options.every);
@@ -86,7 +78,7 @@ class WorkerEngine implements Engine {
       {
         remote,
         life,
-        urls: this.urls,
+        files: this.files,
         onClose: () => {
           if (this.#live === session) this.#live = undefined;
         },
@@ -122,7 +114,7 @@ class WorkerEngine implements Engine {
       if (!signal.aborted) tellSafely(onProgress, progress);
     });
     try {
-      const job = { file, name, every, estimator, urls: this.urls };
+      const job = { file, name, every, estimator, files: this.files };
       return unwrap(await life.whileAlive(remote.recover(job, tell)), signal);
     } catch (error) {
       if (error instanceof DeciWatchError && error.code === 'engine-crashed') this.#stop();

@@ -1,5 +1,6 @@
 import type { DeciWatchErrorCode } from '../errors.ts';
 import type { EstimatorName } from '../estimators/names.ts';
+import type { EngineFiles } from './files.ts';
 import type {
   LiveNeeds,
   LiveReady,
@@ -7,7 +8,6 @@ import type {
   WatchAnswer,
   WatchRequest,
 } from './live/messages.ts';
-import type { ModelUrls } from './models.ts';
 import type { RecoveredClip, RecoverProgress } from './types.ts';
 
 /** A job as it goes to the worker; a Blob is passed by reference, not copied. */
@@ -16,7 +16,7 @@ export interface JobMessage {
   readonly name: string;
   readonly every: number;
   readonly estimator: EstimatorName;
-  readonly urls: ModelUrls;
+  readonly files: EngineFiles;
 }
 
 /**

@@ -4,12 +4,8 @@ import { fetchEstimatorManifest } from '../estimators/manifest.ts';
 import { MediaPipeEstimator } from '../estimators/mediapipe.ts';
 import type { EstimatorName } from '../estimators/names.ts';
 import { Recoverer } from '../recovery/recoverer.ts';
-
-/** Where the two manifests are; the files that they list lie beside them. */
-export interface ModelUrls {
-  readonly models: string;
-  readonly estimators: string;
-}
+import { setRuntimeFiles } from '../recovery/runtime.ts';
+import type { EngineFiles } from './files.ts';
 
 /** Large enough for the estimator to look at, and nobody in it. */
 const WARM_UP_PX = 64;
@@ -22,11 +18,13 @@ export class Models {
   #recoverer: Recoverer | undefined;
   #estimator: PoseEstimator | undefined;
 
-  constructor(private readonly urls: ModelUrls) {}
+  constructor(private readonly files: EngineFiles) {
+    setRuntimeFiles(files.runtime);
+  }
 
   /** @throws DeciWatchError `model-missing` or `model-mismatch` */
   async recoverer(signal: AbortSignal): Promise<Recoverer> {
-    this.#recoverer ??= await Recoverer.load(new URL(this.urls.models), signal);
+    this.#recoverer ??= await Recoverer.load(this.files.models, signal);
     return this.#recoverer;
   }
 
@@ -36,16 +34,17 @@ export class Models {
    */
   async estimator(name: EstimatorName, signal: AbortSignal): Promise<PoseEstimator> {
     if (this.#estimator?.name === name) return this.#estimator;
-    const url = new URL(this.urls.estimators);
-    const { estimators } = await fetchEstimatorManifest(url, signal);
+    const set = this.files.estimators;
+    const { estimators } = await fetchEstimatorManifest(set, signal);
     const entry = estimators[name];
-    const bundle = await fetchListed(url, entry, signal);
+    const bundle = await fetchListed(set, entry, signal);
     this.#estimator?.close();
     this.#estimator = undefined;
     const estimator = await MediaPipeEstimator.create({
       name,
       flops: entry.flops.perCall,
       bundle,
+      files: this.files.mediapipe,
     });
     // The first call prepares the nets, and would spoil the clip's own times.
     await estimator.estimate(blank());

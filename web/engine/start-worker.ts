@@ -7,7 +7,15 @@ import workerUrl from './worker.ts?worker&url';
 export function startWorker(): Worker {
   const url = new URL(workerUrl, import.meta.url);
   if (url.origin === location.origin) return new Worker(url, { type: 'module', name: 'deciwatch' });
-  const source = new Blob([`import ${JSON.stringify(url.href)};`], { type: 'text/javascript' });
-  // Not revoked: some browsers look it up later than here.
-  return new Worker(URL.createObjectURL(source), { type: 'module', name: 'deciwatch' });
+  return new Worker(importing(url), { type: 'module', name: 'deciwatch' });
+}
+
+let loader: string | undefined;
+
+/** Made once and never revoked: some browsers look it up later than when a worker starts. */
+function importing(url: URL): string {
+  loader ??= URL.createObjectURL(
+    new Blob([`import ${JSON.stringify(url.href)};`], { type: 'text/javascript' }),
+  );
+  return loader;
 }

@@ -17,7 +17,7 @@ let live: LiveWork | undefined;
 const pictures = new PictureCanvas();
 
 async function run(
-  { file, name, every, estimator, urls }: JobMessage,
+  { file, name, every, estimator, files }: JobMessage,
   progress: ProgressReporter,
   signal: AbortSignal,
 ): Promise<RecoveredClip> {
@@ -26,7 +26,7 @@ async function run(
   const clip = await openFile(file, name);
   try {
     const { frameCount } = clip.info;
-    models ??= new Models(urls);
+    models ??= new Models(files);
     progress.report('loading', 0, 0, frameCount);
     const recoverer = await models.recoverer(signal);
     signal.throwIfAborted();
@@ -75,7 +75,7 @@ const engine: EngineWorker = {
   async prepareLive(needs) {
     try {
       checkSupport();
-      models ??= new Models(needs.urls);
+      models ??= new Models(needs.files);
       live ??= new LiveWork(models);
       return { kind: 'ready', estimatorFlops: await live.prepare(needs) };
     } catch (error) {
@@ -98,7 +98,7 @@ const engine: EngineWorker = {
   },
   async recoverStretch(stretch) {
     try {
-      models ??= new Models(stretch.urls);
+      models ??= new Models(stretch.files);
       live ??= new LiveWork(models);
       const clip = await live.recoverStretch(stretch);
       return Comlink.transfer<Outcome>({ kind: 'done', clip }, buffersOf(clip));

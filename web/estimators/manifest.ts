@@ -1,5 +1,5 @@
 import * as v from 'valibot';
-import { fetchManifest, fileEntries } from '../download.ts';
+import { type FileSet, fetchManifest, fileEntries } from '../download.ts';
 import { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
 import { ESTIMATOR_NAMES } from './names.ts';
 
@@ -28,6 +28,9 @@ export type EstimatorManifest = v.InferOutput<typeof schema>;
  * Reads the estimators' manifest.
  * @throws DeciWatchError `model-missing` or `model-mismatch`
  */
-export function fetchEstimatorManifest(url: URL, signal?: AbortSignal): Promise<EstimatorManifest> {
-  return fetchManifest(url, schema, signal);
+export function fetchEstimatorManifest(
+  set: FileSet,
+  signal?: AbortSignal,
+): Promise<EstimatorManifest> {
+  return fetchManifest(set, schema, signal);
 }

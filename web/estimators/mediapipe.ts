@@ -1,8 +1,12 @@
 import type { PoseLandmarker } from '@mediapipe/tasks-vision';
-import wasmLoaderUrl from '@mediapipe/tasks-vision/vision_wasm_module_internal.js?url';
-import wasmBinaryUrl from '@mediapipe/tasks-vision/vision_wasm_module_internal.wasm?url';
 import { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
 import type { EstimatorImage, PoseEstimate, PoseEstimator } from './estimator.ts';
+
+/** Where MediaPipe's WebAssembly and its loader are: absolute addresses. */
+export interface MediaPipeFiles {
+  readonly loader: string;
+  readonly wasm: string;
+}
 
 /** What a MediaPipe Pose variant is made of. */
 export interface MediaPipeModel {
@@ -11,6 +15,7 @@ export interface MediaPipeModel {
   readonly flops: number;
   /** The bytes of a `.task` bundle. */
   readonly bundle: Uint8Array;
+  readonly files: MediaPipeFiles;
 }
 
 interface Point {
@@ -53,14 +58,12 @@ export class MediaPipeEstimator implements PoseEstimator {
     const { PoseLandmarker } = await import('@mediapipe/tasks-vision');
     // MediaPipe would import the loader itself, and read the factory that it leaves in the global
     // scope. A module runs once only, so that fails from the second estimator on.
-    const loader: { default: ModuleFactory } = await import(
-      /* @vite-ignore */ absolute(wasmLoaderUrl)
-    );
+    const loader: { default: ModuleFactory } = await import(/* @vite-ignore */ model.files.loader);
     const globals = globalThis as unknown as MediaPipeGlobals;
     globals.ModuleFactory = (options) => loader.default({ ...options, print: log, printErr: log });
     globals.custom_dbg = log;
     const landmarker = await PoseLandmarker.createFromOptions(
-      { wasmLoaderPath: '', wasmBinaryPath: absolute(wasmBinaryUrl) },
+      { wasmLoaderPath: '', wasmBinaryPath: model.files.wasm },
       {
         baseOptions: { modelAssetBuffer: model.bundle, delegate: 'CPU' },
         runningMode: 'IMAGE',
@@ -101,8 +104,4 @@ function fromMidHip(world: readonly Point[]): Float32Array {
 
 function log(line: string): void {
   if (!CHATTER.test(line)) console.warn(line);
-}
-
-function absolute(url: string): string {
-  return new URL(url, import.meta.url).href;
 }

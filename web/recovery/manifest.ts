@@ -1,5 +1,5 @@
 import * as v from 'valibot';
-import { fetchManifest, fileEntries } from '../download.ts';
+import { type FileSet, fetchManifest, fileEntries } from '../download.ts';
 import { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
 
 const count = v.pipe(v.number(), v.integer(), v.minValue(1));
@@ -74,6 +74,6 @@ export type Normalisation = v.InferOutput<typeof metres> | v.InferOutput<typeof 
  * Reads the models' manifest.
  * @throws DeciWatchError `model-missing` or `model-mismatch`
  */
-export function fetchModelManifest(url: URL, signal?: AbortSignal): Promise<ModelManifest> {
-  return fetchManifest(url, schema, signal);
+export function fetchModelManifest(set: FileSet, signal?: AbortSignal): Promise<ModelManifest> {
+  return fetchManifest(set, schema, signal);
 }

@@ -1,4 +1,4 @@
-import { fetchListed } from '../download.ts';
+import { type FileSet, fetchListed } from '../download.ts';
 import type { PoseEstimate } from '../estimators/estimator.ts';
 import type { Dimensions } from '../pose/sequence.ts';
 import type { PairEntry } from './manifest.ts';
@@ -53,13 +53,13 @@ export interface PairFiles {
  * @throws DeciWatchError `model-missing` or `model-mismatch`
  */
 export async function fetchPair(
-  manifestUrl: URL,
+  set: FileSet,
   entry: PairEntry,
   signal?: AbortSignal,
 ): Promise<PairFiles> {
   const [denoise, recover] = await Promise.all([
-    fetchListed(manifestUrl, entry.denoise, signal),
-    fetchListed(manifestUrl, entry.recover, signal),
+    fetchListed(set, entry.denoise, signal),
+    fetchListed(set, entry.recover, signal),
   ]);
   return { denoise, recover };
 }

@@ -1,4 +1,4 @@
-import { fetchListed } from '../download.ts';
+import { type FileSet, fetchListed } from '../download.ts';
 import { DeciWatchError } from '../errors.ts';
 import type { PoseEstimate } from '../estimators/estimator.ts';
 import { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
@@ -34,7 +34,7 @@ const NOBODY: PoseEstimate = {
 /** A pose for every frame, from the poses of the watched ones, in 2D and in 3D. */
 export class Recoverer {
   private constructor(
-    private readonly manifestUrl: URL,
+    private readonly files: FileSet,
     readonly pair2d: NetPair,
     readonly pair3d: NetPair,
   ) {}
@@ -43,12 +43,12 @@ export class Recoverer {
    * Fetches the manifest and the four nets, and runs each once: the first run is slower than the others.
    * @throws DeciWatchError `model-missing` or `model-mismatch`
    */
-  static async load(manifestUrl: URL, signal?: AbortSignal): Promise<Recoverer> {
-    const { pairs } = await fetchModelManifest(manifestUrl, signal);
+  static async load(files: FileSet, signal?: AbortSignal): Promise<Recoverer> {
+    const { pairs } = await fetchModelManifest(files, signal);
     // All files before the first net: what fails on the way leaves nothing to free.
     const [files2d, files3d] = await Promise.all([
-      fetchPair(manifestUrl, pairs['2d'], signal),
-      fetchPair(manifestUrl, pairs['3d'], signal),
+      fetchPair(files, pairs['2d'], signal),
+      fetchPair(files, pairs['3d'], signal),
     ]);
     const pair2d = await NetPair.create(pairs['2d'], files2d);
     const pair3d = await NetPair.create(pairs['3d'], files3d);
@@ -57,7 +57,7 @@ export class Recoverer {
     for (const pair of [pair2d, pair3d]) {
       await pair.run({ samples, sampleTimes: times, frameTimes: times });
     }
-    return new Recoverer(manifestUrl, pair2d, pair3d);
+    return new Recoverer(files, pair2d, pair3d);
   }
 
   /**
@@ -68,7 +68,7 @@ export class Recoverer {
     const pairs = [this.pair2d, this.pair3d];
     const files = await Promise.all(
       pairs.map(({ entry }) => {
-        if (entry.forecast) return fetchListed(this.manifestUrl, entry.forecast, signal);
+        if (entry.forecast) return fetchListed(this.files, entry.forecast, signal);
         throw new DeciWatchError(
           'model-missing',
           'These nets cannot look ahead, since their manifest lists no forecast: choose the smooth mode.',

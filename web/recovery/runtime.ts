@@ -1,13 +1,18 @@
-import moduleUrl from 'onnxruntime-web/ort-wasm-simd-threaded.mjs?url';
-import wasmUrl from 'onnxruntime-web/ort-wasm-simd-threaded.wasm?url';
 import * as ort from 'onnxruntime-web/wasm';
 
 // One thread: the nets are small, and a page need not be cross-origin isolated.
 ort.env.wasm.numThreads = 1;
-ort.env.wasm.wasmPaths = {
-  mjs: new URL(moduleUrl, import.meta.url).href,
-  wasm: new URL(wasmUrl, import.meta.url).href,
-};
+
+/** Where onnxruntime-web's two files are: absolute addresses. */
+export interface RuntimeFiles {
+  readonly mjs: string;
+  readonly wasm: string;
+}
+
+/** To be called before the first net is made. */
+export function setRuntimeFiles(files: RuntimeFiles): void {
+  ort.env.wasm.wasmPaths = { ...files };
+}
 
 /** A float32 array and its shape. */
 export interface Matrix {

@@ -20,7 +20,7 @@ export interface StageRenderer {
 /**
  * Starts WebGL 2 on a new canvas. Where the browser warns that it would be slow (drawn in software), one
  * device pixel to a CSS pixel is all that is asked of it.
- * @throws DeciWatchError `browser-unsupported`
+ * @throws DeciWatchError `webgl-unavailable`
  */
 export function createRenderer(): StageRenderer {
   const canvas = document.createElement('canvas');
@@ -30,8 +30,8 @@ export function createRenderer(): StageRenderer {
   const context = fast ?? canvas.getContext('webgl2', { ...options, antialias: false });
   if (!context) {
     throw new DeciWatchError(
-      'browser-unsupported',
-      'The 3D view needs WebGL 2, which this browser has switched off or lacks; everything else on this page works without it.',
+      'webgl-unavailable',
+      'The 3D view needs WebGL 2, which this browser has switched off or lacks; everything else works without it.',
     );
   }
   return {

@@ -1,8 +1,8 @@
 import type { LiveSession } from '../../engine/live/types.ts';
 import type { RecoveredClip } from '../../engine/types.ts';
+import type { ShownFrame } from '../../player/live/live-view.ts';
 import type { ClipFile } from '../recover-job.ts';
 import { blankVideo } from './blank-video.ts';
-import type { ShownFrame } from './live-view.ts';
 import { PictureRecorder } from './picture-recorder.ts';
 
 /** A recording that can be played: its video, black where the picture was not kept, and its poses. */

@@ -1,8 +1,8 @@
 import { css, html, LitElement, nothing } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
+import { icon } from '../../player/parts/icons.ts';
+import { sharedStyles } from '../../player/parts/styles.ts';
 import type { CameraChoice } from '../../sources/camera.ts';
-import { icon } from '../icons.ts';
-import { sharedStyles } from '../styles.ts';
 import type { LiveChoices } from './live-desk.ts';
 
 /** What the live bar's buttons ask for. */

@@ -9,13 +9,13 @@ import type {
 } from '../../engine/live/types.ts';
 import type { RecoveredClip } from '../../engine/types.ts';
 import { DeciWatchError } from '../../errors.ts';
+import { DrawGovernor } from '../../player/live/draw-governor.ts';
+import type { ShownFrame } from '../../player/live/live-view.ts';
 import { type Camera, type CameraChoice, listCameras, openCamera } from '../../sources/camera.ts';
 import type { PageEngine } from '../page-engine.ts';
 import type { ClipFile } from '../recover-job.ts';
 import { DEFAULT_SETTINGS, type Settings } from '../settings.ts';
 import { CameraRecorder } from './camera-recorder.ts';
-import { DrawGovernor } from './draw-governor.ts';
-import type { ShownFrame } from './live-view.ts';
 
 /** Figures change so many times a second. */
 const REPORT_MS = 500;

@@ -3,15 +3,15 @@ import { customElement, property, query } from 'lit/decorators.js';
 import type { LiveView as Moment } from '../../engine/live/types.ts';
 import { appStyles } from '../app-styles.ts';
 import type { Settings } from '../settings.ts';
-import '../stage-view.ts';
-import type { StageView } from '../stage-view.ts';
-import { sharedStyles } from '../styles.ts';
+import '../../player/parts/stage-view.ts';
+import type { StageView } from '../../player/parts/stage-view.ts';
+import { sharedStyles } from '../../player/parts/styles.ts';
 import './live-bar.ts';
 import type { LiveAction } from './live-bar.ts';
 import type { LiveChoices, LiveDesk } from './live-desk.ts';
-import './live-view.ts';
-import type { LiveView, ShownFrame } from './live-view.ts';
-import { liveWords, loadWords } from './live-words.ts';
+import '../../player/live/live-view.ts';
+import type { LiveView, ShownFrame } from '../../player/live/live-view.ts';
+import { liveWords, loadWords } from '../../player/live/live-words.ts';
 
 /**
  * The camera's picture, the 3D view beside it, what is going on, and the controls.

@@ -4,7 +4,7 @@ import type { EstimatorName } from '../../estimators/names.ts';
 import type { LiveChunk } from '../../recovery/live-recoverer.ts';
 import type { SeenSample } from '../../recovery/watched-clip.ts';
 import type { ClipInfo } from '../../sources/clip.ts';
-import type { ModelUrls } from '../models.ts';
+import type { EngineFiles } from '../files.ts';
 
 /** Said in a value, since an error that crosses from a worker keeps its message alone. */
 export type Failure =
@@ -16,7 +16,7 @@ export interface LiveNeeds {
   readonly estimator: EstimatorName;
   /** The nets that look ahead too. */
   readonly forecast: boolean;
-  readonly urls: ModelUrls;
+  readonly files: EngineFiles;
 }
 
 /** Loaded and warm, with the FLOPs of one estimator call. */
@@ -59,5 +59,5 @@ export interface RecordedStretch {
   readonly every: number;
   readonly estimator: { readonly name: string; readonly flops: number };
   readonly estimatorMs: number;
-  readonly urls: ModelUrls;
+  readonly files: EngineFiles;
 }

@@ -5,8 +5,8 @@ import { DeciWatchError } from '../../errors.ts';
 import { LiveSampler } from '../../sampling/live-sampler.ts';
 import { MAX_GAP_SECONDS } from '../../sampling/segments.ts';
 import type { CameraFrame } from '../../sources/camera-frames.ts';
+import type { EngineFiles } from '../files.ts';
 import type { EngineWorker } from '../messages.ts';
-import type { ModelUrls } from '../models.ts';
 import type { RecoveredClip } from '../types.ts';
 import type { WorkerLife } from '../worker-life.ts';
 import { CameraClock } from './camera-clock.ts';
@@ -25,7 +25,7 @@ const FURTHEST_S = 1;
 export interface LiveHost {
   readonly remote: Remote<EngineWorker>;
   readonly life: WorkerLife;
-  readonly urls: ModelUrls;
+  readonly files: EngineFiles;
   /** The session has ended. */
   onClose(): void;
 }
@@ -163,7 +163,7 @@ export class WorkerLiveSession implements LiveSession {
           name: this.#settings.estimator,
           flops: this.#meter.estimatorFlops,
         },
-        urls: this.host.urls,
+        files: this.host.files,
       }),
     );
     if (outcome.kind === 'done') return outcome.clip;
@@ -187,7 +187,7 @@ export class WorkerLiveSession implements LiveSession {
     this.#ready = false;
     this.#setState('loading');
     const { estimator, mode } = this.#settings;
-    const needs = { estimator, forecast: mode === 'now', urls: this.host.urls };
+    const needs = { estimator, forecast: mode === 'now', files: this.host.files };
     try {
       const answer = await this.host.life.whileAlive(this.host.remote.prepareLive(needs));
       if (this.#closed) return;

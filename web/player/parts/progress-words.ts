@@ -1,4 +1,4 @@
-import type { RecoverProgress } from '../engine/types.ts';
+import type { RecoverProgress } from '../../engine/types.ts';
 
 /** What is being done, in a few words. */
 export function progressWords({ stage }: RecoverProgress, every: number): string {

@@ -1,5 +1,5 @@
-import type { RecoveredClip } from '../engine/types.ts';
-import { hasPose } from '../pose/sequence.ts';
+import type { RecoveredClip } from '../../engine/types.ts';
+import { hasPose } from '../../pose/sequence.ts';
 import { formatCount, formatTime } from './format.ts';
 
 /** How a frame got its pose. */

@@ -1,5 +1,5 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
-import type { Theme } from '../stage/palette.ts';
+import type { Theme } from '../../stage/palette.ts';
 
 /** Follows the system's light or dark setting, and re-renders its host when it changes. */
 export class ThemeController implements ReactiveController {

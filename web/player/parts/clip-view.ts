@@ -1,6 +1,6 @@
 import { css, html, LitElement, type PropertyValues } from 'lit';
 import { customElement, property, query } from 'lit/decorators.js';
-import type { RecoveredClip } from '../engine/types.ts';
+import type { RecoveredClip } from '../../engine/types.ts';
 import { prepareCanvas } from './hi-dpi-canvas.ts';
 import { containedRect } from './letterbox.ts';
 import { paintOverlay } from './overlay-painter.ts';

@@ -1,10 +1,10 @@
 import { css, html, LitElement, nothing, type PropertyValues } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
-import { DeciWatchError } from '../errors.ts';
-import { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
-import { hasPose, type PoseSequence } from '../pose/sequence.ts';
-import type { StageView as View } from '../stage/camera-rig.ts';
-import type { Stage, StagePose } from '../stage/stage.ts';
+import { DeciWatchError } from '../../errors.ts';
+import { BLAZEPOSE_33 } from '../../pose/blazepose33.ts';
+import { hasPose, type PoseSequence } from '../../pose/sequence.ts';
+import type { StageView as View } from '../../stage/camera-rig.ts';
+import type { Stage, StagePose } from '../../stage/stage.ts';
 import { icon } from './icons.ts';
 import { sharedStyles } from './styles.ts';
 import { ThemeController } from './theme.ts';
@@ -134,7 +134,7 @@ export class StageView extends LitElement {
   /** three.js is most of the page's code: it is fetched while the models are. */
   private async start(): Promise<void> {
     try {
-      const { Stage } = await import('../stage/stage.ts');
+      const { Stage } = await import('../../stage/stage.ts');
       await this.updateComplete;
       if (!this.isConnected || this.stage) return;
       this.stage = new Stage(this.container, {

@@ -1,8 +1,8 @@
 import { css, html, LitElement, nothing, type PropertyValues } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
-import type { RecoveredClip } from '../engine/types.ts';
-import { hasPose } from '../pose/sequence.ts';
-import { paletteFor } from '../stage/palette.ts';
+import type { RecoveredClip } from '../../engine/types.ts';
+import { hasPose } from '../../pose/sequence.ts';
+import { paletteFor } from '../../stage/palette.ts';
 import { describeFrame } from './clip-words.ts';
 import { prepareCanvas } from './hi-dpi-canvas.ts';
 import { sharedStyles } from './styles.ts';

@@ -3,10 +3,10 @@ import { customElement, property, query } from 'lit/decorators.js';
 import type { LiveView as Moment } from '../../engine/live/types.ts';
 import { BLAZEPOSE_33 } from '../../pose/blazepose33.ts';
 import { type CameraFrame, watchCameraFrames } from '../../sources/camera-frames.ts';
-import { prepareCanvas } from '../hi-dpi-canvas.ts';
-import { containedRect } from '../letterbox.ts';
-import { paintOverlay } from '../overlay-painter.ts';
-import { sharedStyles } from '../styles.ts';
+import { prepareCanvas } from '../parts/hi-dpi-canvas.ts';
+import { containedRect } from '../parts/letterbox.ts';
+import { paintOverlay } from '../parts/overlay-painter.ts';
+import { sharedStyles } from '../parts/styles.ts';
 import { DelayedPictures } from './delayed-pictures.ts';
 
 /** What the camera's `<video>` shows, and which frame that is. */

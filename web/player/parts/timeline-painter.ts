@@ -1,4 +1,4 @@
-import { hasPose, type PoseSequence } from '../pose/sequence.ts';
+import { hasPose, type PoseSequence } from '../../pose/sequence.ts';
 
 /** Colours of the timeline, as CSS. */
 export interface TimelineColours {

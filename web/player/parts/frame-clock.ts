@@ -1,4 +1,4 @@
-import { frameAtTime } from '../pose/sequence.ts';
+import { frameAtTime } from '../../pose/sequence.ts';
 
 /** Browsers and demuxers round a timestamp each in their own way; no two frames are this close. */
 const ROUNDING_S = 0.0005;

@@ -1,6 +1,6 @@
-import { hasPose, type PoseSequence, poseAt } from '../pose/sequence.ts';
-import { type BodySegment, bodyPlan } from '../stage/body-plan.ts';
-import { paletteFor } from '../stage/palette.ts';
+import { hasPose, type PoseSequence, poseAt } from '../../pose/sequence.ts';
+import { type BodySegment, bodyPlan } from '../../stage/body-plan.ts';
+import { paletteFor } from '../../stage/palette.ts';
 import type { Rect } from './letterbox.ts';
 
 /** The brighter palette: a video is rarely white. */

@@ -1,0 +1,2 @@
+/** `<deciwatch-player>`: importing this registers the element. */
+export type * from './types.ts';
