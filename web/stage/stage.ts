@@ -67,7 +67,7 @@ export class Stage {
   #trailsShown = true;
   #pending = 0;
 
-  /** @throws DeciWatchError `browser-unsupported` where there is no WebGL 2 */
+  /** @throws DeciWatchError `webgl-unavailable` where there is no WebGL 2 */
   constructor(container: HTMLElement, options: StageOptions = {}) {
     this.#gl = createRenderer();
     this.#container = container;
