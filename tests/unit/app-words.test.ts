@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { compareMs, costHeadline } from '../../web/app/cost-words.ts';
+import { compareMs, costHeadline } from '../../web/player/parts/cost-words.ts';
 import { pickVideo } from '../../web/app/dropped-file.ts';
 import { pageState } from '../../web/app/page-state.ts';
 import type { CostReport } from '../../web/cost/report.ts';

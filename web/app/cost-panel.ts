@@ -1,8 +1,8 @@
 import { css, html, LitElement, type PropertyValues } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import type { RecoveredClip } from '../engine/types.ts';
+import { compareMs, costHeadline } from '../player/parts/cost-words.ts';
 import { formatCount, formatFlops, formatSeconds } from '../player/parts/format.ts';
-import { compareMs, costHeadline } from './cost-words.ts';
 import { type CumulativeFlops, cumulativeFlops } from './cumulative-cost.ts';
 import './ms-bars.ts';
 import { sharedStyles } from '../player/parts/styles.ts';

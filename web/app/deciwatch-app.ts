@@ -152,6 +152,7 @@ export class DeciWatchApp extends LitElement {
             @picture=${(event: CustomEvent<number>) => {
               this.aspect = event.detail;
             }}
+            @toggle=${() => this.view?.playback?.toggle()}
             @unplayable=${() => desk.cannotPlay()}
           ></dw-clip-view>
         </div>

@@ -1,5 +1,5 @@
-import type { CostReport } from '../cost/report.ts';
-import { formatPercent, formatTimes } from '../player/parts/format.ts';
+import type { CostReport } from '../../cost/report.ts';
+import { formatPercent, formatTimes } from './format.ts';
 
 /** The counter's headline: a figure and the sentence that it begins. */
 export interface CostHeadline {
