@@ -169,6 +169,7 @@ export class PlayerElement extends LitElement implements DeciWatchPlayer {
   }
 
   async play(): Promise<void> {
+    await this.settled();
     this.wanted = true;
     if (this.camera) {
       this.problem = null;
@@ -188,11 +189,11 @@ export class PlayerElement extends LitElement implements DeciWatchPlayer {
     else this.clipView?.playback?.pause();
   }
 
-  load(): Promise<void> {
+  async load(): Promise<void> {
+    await this.settled();
     this.begun = true;
-    if (this.camera || this.recovered) return Promise.resolve();
-    this.loading ??= this.recover();
-    return this.loading;
+    if (this.camera || this.recovered) return;
+    await (this.loading ?? this.recoverAnew());
   }
 
   override connectedCallback(): void {
@@ -390,6 +391,19 @@ export class PlayerElement extends LitElement implements DeciWatchPlayer {
     return this.borrowed.engine;
   }
 
+  /** A source that was set a moment ago takes the place of the old one with the next update. */
+  private async settled(): Promise<void> {
+    if (this.hasUpdated && this.isUpdatePending) await this.updateComplete;
+  }
+
+  private recoverAnew(): Promise<void> {
+    const run = this.recover().finally(() => {
+      if (this.loading === run) this.loading = null;
+    });
+    this.loading = run;
+    return run;
+  }
+
   private async recover(): Promise<void> {
     this.problem = null;
     this.progress = NOT_STARTED;
@@ -405,11 +419,9 @@ export class PlayerElement extends LitElement implements DeciWatchPlayer {
       // Null: another one has taken its place, whose progress it now is.
       if (!clip) return;
       this.progress = null;
-      this.loading = null;
       await this.finish(clip);
     } catch (error) {
       this.progress = null;
-      this.loading = null;
       this.fail(error);
     }
   }
@@ -484,7 +496,7 @@ export class PlayerElement extends LitElement implements DeciWatchPlayer {
       this.follower.stop();
       this.fail(error);
     }
-    if (this.recovered || this.loading) this.loading = this.recover();
+    if (this.recovered || this.loading) void this.recoverAnew();
   }
 
   /** Lets go of all that belongs to the source, and of the engine. */
