@@ -42,7 +42,7 @@ def run(args: argparse.Namespace) -> int:
     path = Path(args.checkpoint or checkpoint.default_path(args.dims))
     pair, content = checkpoint.load_pair(path, args.dims)
     forecast = _forecast(args, path)
-    # `content` keeps them as they were trained: what --keep commits, and what training goes on from.
+    # `content` keeps the trained weights: those are committed, and training goes on from them.
     graphs = {kind: compact(graph) for kind, graph in convert(round_weights(pair)).items()}
     worst = largest_difference(pair, graphs)
     if forecast:
