@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
-import { compareMs, costHeadline } from '../../web/player/parts/cost-words.ts';
 import { pickVideo } from '../../web/app/dropped-file.ts';
 import { pageState } from '../../web/app/page-state.ts';
 import type { CostReport } from '../../web/cost/report.ts';
+import { compareMs, costHeadline } from '../../web/player/parts/cost-words.ts';
 import {
   formatFlops,
   formatMs,

@@ -50,7 +50,7 @@ interface Running {
 
 class WorkerEngine implements Engine {
   #running: Running | undefined;
-  #live: LiveSession | undefined;
+  #live: WorkerLiveSession | undefined;
   #lastJob: Promise<unknown> = Promise.resolve();
   readonly #closing = new AbortController();
 
@@ -71,7 +71,12 @@ class WorkerEngine implements Engine {
     checkInterval(settings.every);
     checkEstimator(settings.estimator);
     this.#closing.signal.throwIfAborted();
-    this.#live?.close();
+    this.#live?.end(
+      new DeciWatchError(
+        'camera-busy',
+        'The camera is followed elsewhere on this page now: start it here again to have it back.',
+      ),
+    );
     this.#running ??= start();
     const { remote, life } = this.#running;
     const session = new WorkerLiveSession(

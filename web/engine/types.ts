@@ -46,7 +46,7 @@ export interface Engine {
   recover(clip: Blob, name: string, options: RecoverOptions): Promise<RecoveredClip>;
   /**
    * Follows a camera whose frames the caller hands over. One session at a time: a new one ends the one
-   * before.
+   * before, whose `onError` is told (`camera-busy`).
    * @throws DeciWatchError `bad-option`
    */
   live(settings: LiveSettings): LiveSession;

@@ -175,6 +175,11 @@ export class WorkerLiveSession implements LiveSession {
     throw errorOf(outcome);
   }
 
+  /** Closes it, and tells why. */
+  end(error: DeciWatchError): void {
+    this.#fail(error);
+  }
+
   close(): void {
     if (this.#closed) return;
     this.#closed = true;
