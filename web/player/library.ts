@@ -3,7 +3,6 @@
  * by itself; `deciwatch-web/player` is the element.
  */
 export { createEngine, type EngineOptions } from '../engine/client.ts';
-// Estimators of one's own.
 export type {
   ClipInfo,
   Engine,
