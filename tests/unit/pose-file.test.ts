@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { Ajv2020 } from 'ajv/dist/2020.js';
 import { describe, expect, it } from 'vitest';
+import type { RecoveredClip } from '../../web/engine/types.ts';
 import { DeciWatchError } from '../../web/errors.ts';
 import {
   type PoseFile,
@@ -89,6 +90,48 @@ describe('a written file', () => {
   });
 });
 
+describe('a file without 3D', () => {
+  const clip: RecoveredClip = {
+    ...recoveredClip(12, [0, 5]),
+    recovery: 'cubic',
+    poses3d: null,
+  };
+  const flat = () => JSON.parse(stringifyPoseFile(toPoseFile(clip)));
+
+  it('fits both schemas, says what recovered it, and comes back without 3D', () => {
+    expect(fitsJsonSchema(flat()), JSON.stringify(fitsJsonSchema.errors)).toBe(true);
+    const file = parsePoseFile(flat());
+    expect(file).toEqual(toPoseFile(clip));
+    expect(file.recovery).toBe('cubic');
+    const { poses2d, poses3d } = posesFromFile(file);
+    expect(poses3d).toBeNull();
+    expect(poses2d.values[66]).toBeCloseTo(clip.poses2d.values[66]!, 1);
+    expect(poses2d.values[0]).toBeNaN();
+  });
+
+  it('has none in any frame', () => {
+    const some = flat();
+    some.frames[7].keypoints3d = some.frames[7].keypoints2d.map(() => [0, 0, 0]);
+    expect(refusal(some)).toContain(
+      'At frames[7].keypoints3d, the file should have null, as in the frames before',
+    );
+    const none = spoiled((f) => Object.assign(f.frames[7]!, { keypoints3d: null }));
+    expect(refusal(none)).toContain('At frames[7].keypoints3d, the file should have a list');
+  });
+
+  it('may have no ratio of FLOPs', () => {
+    const unknown = { ...flat(), cost: { ...clip.cost, flopsRatio: null } };
+    expect(fitsJsonSchema(unknown)).toBe(true);
+    expect(parsePoseFile(unknown).cost.flopsRatio).toBeNull();
+  });
+});
+
+it('is read also where it is older than the choice of a recovery', () => {
+  const old = spoiled((f) => Reflect.deleteProperty(f, 'recovery'));
+  expect(fitsJsonSchema(old)).toBe(true);
+  expect(parsePoseFile(old).recovery).toBeUndefined();
+});
+
 it("accepts the documentation's example", () => {
   const page = readFileSync(new URL('pose-file.md', docs), 'utf8');
   const example = JSON.parse(/```json\n([\s\S]*?)```/.exec(page)![1]!);
@@ -105,6 +148,7 @@ describe('a broken file', () => {
     ['skeleton.joints', (f) => Object.assign(f.skeleton, { joints: [] })],
     ['skeleton.bones[2]', (f) => Object.assign(f.skeleton.bones, { 2: [1, 2, 3] })],
     ['interval', (f) => Object.assign(f, { interval: 2.5 })],
+    ['recovery', (f) => Object.assign(f, { recovery: 'magic' })],
     ['estimator', (f) => Reflect.deleteProperty(f, 'estimator')],
     ['cost.msPerFrame.decode', (f) => Reflect.deleteProperty(f.cost.msPerFrame, 'decode')],
     ['frames', (f) => Object.assign(f, { frames: [] })],

@@ -31,11 +31,20 @@ export class CallerEstimator {
     return this.#failure;
   }
 
-  /** What the worker has to know of it: plain values. */
+  /** What the worker has to know of it, in values that can be sent whatever the caller's are made of. */
   get message(): CallerEstimatorMessage {
     const { name, flops, skeleton } = this.estimator;
-    const { joints, bones, sides, root } = skeleton;
-    return { name, flops, skeleton: { name: skeleton.name, joints, bones, sides, root } };
+    return {
+      name,
+      flops,
+      skeleton: {
+        name: skeleton.name,
+        joints: [...skeleton.joints],
+        bones: skeleton.bones.map(([from, to]) => [from, to] as const),
+        sides: [...skeleton.sides],
+        root: [...skeleton.root],
+      },
+    };
   }
 
   /** What the worker calls. Never rejects: errors lose all but their message on the way. */

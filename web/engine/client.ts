@@ -35,7 +35,7 @@ function checkEstimator(name: unknown): void {
   }
   throw new DeciWatchError(
     'bad-option',
-    `The estimator is ${name}; choose one of ${ESTIMATOR_NAMES.join(', ')}.`,
+    `The estimator is ${typeof name === 'function' ? 'a function' : name}; choose one of ${ESTIMATOR_NAMES.join(', ')}.`,
   );
 }
 

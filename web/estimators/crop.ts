@@ -30,7 +30,7 @@ export interface Crop {
  */
 export function cropTo(box: Box, input: Size, padding = 1): Crop {
   const scale = Math.min(input.width / box.width, input.height / box.height) / padding;
-  if (!(scale > 0 && Number.isFinite(scale))) {
+  if (!(box.width > 0 && box.height > 0 && scale > 0)) {
     throw new RangeError(`A box of ${box.width} × ${box.height} pixels cannot be cropped to.`);
   }
   return {

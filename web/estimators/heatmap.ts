@@ -18,7 +18,7 @@ const SHIFT = 0.25;
  *
  * @param heatmaps K·H·W values
  * @returns positions in cells: (0, 0) is the first cell itself. SimpleBaseline, HRNet and ViTPose are
- *   trained with a cell's index × stride being its place in the input.
+ *   trained with a cell's index × stride being the index of a pixel of the input.
  * @throws RangeError where the values do not fill the shape
  * @see https://arxiv.org/abs/1603.06937 (stacked hourglass networks), section 3.3
  */

@@ -120,13 +120,18 @@ export class OnnxPoseEstimator<TTensor extends OnnxTensor> implements PoseEstima
     const clamped = scores.map((score) => Math.min(1, Math.max(0, score)));
     const mean = clamped.reduce((sum, score) => sum + score, 0) / clamped.length;
     if (!(mean >= leastScore)) return null;
-    return { keypoints2d: toPicture(positions, crop), keypoints3d: null, scores: clamped };
+    // A model's place 0 is the middle of its first pixel, which reaches from 0 to 1.
+    const keypoints2d = toPicture(
+      positions.map((at) => at + 0.5),
+      crop,
+    );
+    return { keypoints2d, keypoints3d: null, scores: clamped };
   }
 
   /** The session stays open: it is whoever's made it. */
   close(): void {}
 
-  /** Runs the model on what is drawn: positions in pixels of its input. */
+  /** Runs the model on what is drawn: positions as indices of its input's pixels. */
   async #run(): Promise<DecodedKeypoints> {
     const { session, Tensor } = this.#options;
     const { name, width, height, layout } = this.#input;

@@ -59,7 +59,7 @@ function checkFrame(frame: PoseFileFrame, i: number, joints: number, isFlat: boo
     const values = frame[field];
     const isEmpty = frame.keypoints2d === null || (field === 'keypoints3d' && isFlat);
     if ((values === null) !== isEmpty) {
-      const others = frame.keypoints2d && isFlat ? 'in the frames before' : 'as keypoints2d is';
+      const others = isFlat && frame.keypoints2d ? 'as in the frames before' : 'as keypoints2d is';
       const words = `${values ? 'null' : 'a list'}, ${others}`;
       throw misfit(['frames', i, field], words, values);
     }
