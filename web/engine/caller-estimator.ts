@@ -3,7 +3,7 @@ import { faultIn } from '../estimators/check-estimate.ts';
 import type { PoseEstimate, PoseEstimator } from '../estimators/estimator.ts';
 import type { CallerEstimatorMessage, Look } from './messages.ts';
 
-/** Until when each estimator is busy, over all jobs and engines: a job that was aborted leaves a call behind. */
+/** The last call of each estimator, over all jobs: one that was aborted leaves a call behind. */
 const lastCalls = new WeakMap<PoseEstimator, Promise<unknown>>();
 
 /**
@@ -22,7 +22,7 @@ export class CallerEstimator {
     if (!fault) return;
     throw new DeciWatchError(
       'bad-option',
-      `The option estimator is neither a name nor a PoseEstimator (${fault}): see PoseEstimator in the documentation.`,
+      `The option estimator is neither a name nor a PoseEstimator: ${fault}.`,
     );
   }
 
@@ -60,7 +60,8 @@ export class CallerEstimator {
       const words = (cause instanceof Error ? cause.message : String(cause)).replace(/\.$/, '');
       this.#failure = new DeciWatchError(
         'estimator-failed',
-        `The estimator ${name} failed on the frame at ${at} s (${words}): correct it, or choose another estimator.`,
+        `The estimator ${name} failed on the frame at ${at} s (${words}): ` +
+          'correct it, or choose another estimator.',
         { cause },
       );
       return { kind: 'failed', message: this.#failure.message };
@@ -83,7 +84,7 @@ export class CallerEstimator {
   }
 }
 
-/** Its arrays alone: a view that is sent takes all of its buffer with it, and the estimator may keep them. */
+/** Its values alone: a view that is sent takes all of its buffer along. */
 function copyOf({ keypoints2d, keypoints3d, scores }: PoseEstimate): PoseEstimate {
   return {
     keypoints2d: keypoints2d.slice(),

@@ -33,9 +33,10 @@ function checkEstimator(name: unknown): void {
       `Live playback takes no estimator of your own; choose one of ${ESTIMATOR_NAMES.join(', ')}.`,
     );
   }
+  const given = typeof name === 'function' ? 'a function' : name;
   throw new DeciWatchError(
     'bad-option',
-    `The estimator is ${typeof name === 'function' ? 'a function' : name}; choose one of ${ESTIMATOR_NAMES.join(', ')}.`,
+    `The estimator is ${given}; choose one of ${ESTIMATOR_NAMES.join(', ')}.`,
   );
 }
 

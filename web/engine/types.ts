@@ -8,8 +8,9 @@ import type { LiveSession, LiveSettings } from './live/types.ts';
 export type { ClipInfo };
 
 /**
- * How the frames between the watched ones got their poses. `nets`: by DenoiseNet and RecoverNet. `cubic`: by
- * a cubic spline through the samples as they are, where the nets were not trained on what the estimator gives.
+ * How the frames between the watched ones got their poses. `nets`: by DenoiseNet and RecoverNet.
+ * `cubic`: by a cubic spline through the samples as they are, where the nets were not trained on what
+ * the estimator gives.
  */
 export type Recovery = 'nets' | 'cubic';
 
@@ -42,9 +43,9 @@ export interface RecoverOptions {
   /** N, 1 to 20: the estimator watches one frame in N. */
   readonly every: number;
   /**
-   * One that comes with the engine, by its name, or any other. Another one stays the caller's: it runs on the caller's
-   * thread, and the engine never closes it. The nets do the rest where it gives `BLAZEPOSE_33`'s joints in 2D
-   * and 3D; otherwise a cubic spline does ({@link Recovery}).
+   * One that comes with the engine, by its name, or any other. Another one stays the caller's: it runs
+   * on the caller's thread, and the engine never closes it. The nets do the rest where it gives
+   * `BLAZEPOSE_33`'s joints in 2D and 3D; otherwise a cubic spline does ({@link Recovery}).
    */
   readonly estimator: EstimatorName | PoseEstimator;
   readonly signal?: AbortSignal;
@@ -56,13 +57,15 @@ export interface Engine {
   /**
    * Recovers a pose for every frame of a clip.
    * @throws DeciWatchError with one sentence for people; `estimator-failed` where an estimator of the
-   *   caller's threw (its error is the `cause`) or gave what is no pose; `AbortError` (DOMException) when aborted.
+   *   caller's threw (its error is the `cause`) or gave what is no pose. `AbortError` (DOMException)
+   *   when aborted.
    */
   recover(clip: Blob, name: string, options: RecoverOptions): Promise<RecoveredClip>;
   /**
    * Follows a camera whose frames the caller hands over. One session at a time: a new one ends the one
    * before.
-   * @throws DeciWatchError `bad-option`; also for an estimator of the caller's, since live playback watches in the worker
+   * @throws DeciWatchError `bad-option`; also for an estimator of the caller's, since live playback
+   *   looks in the worker
    */
   live(settings: LiveSettings): LiveSession;
   /** Ends the worker and frees all that it holds. */

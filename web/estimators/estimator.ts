@@ -37,6 +37,6 @@ export interface PoseEstimator {
    * @returns null where nobody was seen
    */
   estimate(image: EstimatorImage, timeMs: number): Promise<PoseEstimate | null>;
-  /** Frees what it holds. For whoever made the estimator: an engine never calls it on one that it was given. */
+  /** Frees what it holds. For whoever made it: an engine that is given an estimator never closes it. */
   close(): void;
 }

@@ -78,8 +78,8 @@ const DEFAULT_INPUT = {
 } as const;
 
 /**
- * Any ONNX model of one person that gives heatmaps or SimCC's distributions: crops to the person, runs the model,
- * finds the peaks. It knows no depth.
+ * Any ONNX model of one person that gives heatmaps or SimCC's distributions: crops to the person, runs
+ * the model, finds the peaks. It knows no depth.
  *
  * onnxruntime-web is not among its imports: the session comes from whoever uses it.
  */

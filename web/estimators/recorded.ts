@@ -21,9 +21,9 @@ export interface RecordedOptions {
 const USUAL_PERIOD_S = 1 / 30;
 
 /**
- * Answers with recorded poses instead of looking: recovery can be repeated with another N, and poses from
- * elsewhere (another program's, motion capture) can be fed to it, without a model. Times are the recording's own,
- * so it belongs to one video.
+ * Answers with recorded poses instead of looking: so recovery can be repeated with another N, and be
+ * fed with poses from elsewhere (another program's, motion capture), without a model. Times are the
+ * recording's own, so that it belongs to one video.
  */
 export class RecordedEstimator implements PoseEstimator {
   readonly name: string;

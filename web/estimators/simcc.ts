@@ -8,7 +8,8 @@ import { type DecodedKeypoints, peakIndex } from './peak.ts';
  * @param y K·Wy values
  * @param keypoints K
  * @param splitRatio bins for each pixel of the model's input: 2 for RTMPose
- * @returns positions as indices of the input's pixels (0: the first one itself): a bin's index / `splitRatio`
+ * @returns positions as indices of the input's pixels (0: the first one itself): a bin's index over
+ *   `splitRatio`
  * @throws RangeError where the values cannot be spread over K keypoints, or the ratio is not above 0
  * @see https://arxiv.org/abs/2107.03332
  */

@@ -48,7 +48,10 @@ const frame = v.object(
     keypoints2d: v.nullable(
       v.array(v.strictTuple([finite, finite], 'a list [x, y]'), 'a list of [x, y], or null'),
     ),
-    /** Metres relative to the mid-hip: x right, y up, z towards the camera; null as above, or in all frames. */
+    /**
+     * Metres relative to the mid-hip: x right, y up, z towards the camera; null as above, or in all
+     * frames where the estimator gives no 3D.
+     */
     keypoints3d: v.nullable(
       v.array(
         v.strictTuple([finite, finite, finite], 'a list [x, y, z]'),
