@@ -65,16 +65,23 @@ const player = (attributes: string) =>
   `<deciwatch-player estimator="lite" muted ${attributes}></deciwatch-player>`;
 
 async function whenPlayed(frame: Page | Frame): Promise<void> {
-  await expect.poll(async () => (await playerLog(frame)).poses.length, { timeout: 120_000 }).toBe(FRAMES);
+  await expect
+    .poll(async () => (await playerLog(frame)).poses.length, { timeout: 120_000 })
+    .toBe(FRAMES);
 }
 
 const everyFrame = Array.from({ length: FRAMES }, (_, frame) => frame);
 
 describe('the widget on somebody else’s page', () => {
   test('plays every frame under the documented policy, without isolation', async () => {
-    const html = embedding(widget.url, player(`src="${widget.url}${WALK}" every="10" autoplay controls`));
+    const html = embedding(
+      widget.url,
+      player(`src="${widget.url}${WALK}" every="10" autoplay controls`),
+    );
     const policy = await documentedPolicy();
-    const page = await openForeign({ '/': { html, headers: { 'Content-Security-Policy': policy } } });
+    const page = await openForeign({
+      '/': { html, headers: { 'Content-Security-Policy': policy } },
+    });
     const requests: string[] = [];
     page.on('request', (request) => requests.push(request.url()));
     await whenPlayed(page);
@@ -91,17 +98,23 @@ describe('the widget on somebody else’s page', () => {
         // Some versions throw, some tell of it later.
       }
       return new Promise<string>((resolve) => {
-        document.addEventListener('securitypolicyviolation', (event) => resolve(event.violatedDirective));
+        document.addEventListener('securitypolicyviolation', (event) =>
+          resolve(event.violatedDirective),
+        );
       });
     });
     expect(refused).toMatch(/worker-src/);
     const hosts = new Set([new URL(widget.url).origin, new URL(page.url()).origin]);
-    expect(requests.filter((url) => !/^(blob|data):/.test(url) && !hosts.has(new URL(url).origin))).toEqual([]);
+    expect(
+      requests.filter((url) => !/^(blob|data):/.test(url) && !hosts.has(new URL(url).origin)),
+    ).toEqual([]);
   });
 
   test('plays every frame in a frame of yet another host', async () => {
     const inner = await servePages({
-      '/': { html: embedding(widget.url, player(`src="${widget.url}${WALK}" autoplay view="overlay"`)) },
+      '/': {
+        html: embedding(widget.url, player(`src="${widget.url}${WALK}" autoplay view="overlay"`)),
+      },
     });
     sites.push(inner);
     const html = `<!doctype html><title>Outer</title><iframe allow="autoplay" width="800" height="600" src="${inner.url}"></iframe>`;
@@ -173,13 +186,18 @@ describe('the camera on somebody else’s page', () => {
     const html = `<!doctype html><title>Outer</title><iframe allow="camera" width="800" height="600" src="${inner.url}"></iframe>`;
     const page = await openForeign({ '/': { html } }, other);
     const frame = page.frames().find((one) => one.url() === inner.url)!;
-    await frame.locator('deciwatch-player').getByRole('button', { name: 'Start the camera' }).click();
+    await frame
+      .locator('deciwatch-player')
+      .getByRole('button', { name: 'Start the camera' })
+      .click();
     return { page, frame };
   }
 
   test('is followed in a frame that may use it', async () => {
     const { frame } = await framed(clip.args);
-    await expect.poll(async () => (await playerLog(frame)).poses.length, { timeout: 90_000 }).toBeGreaterThan(30);
+    await expect
+      .poll(async () => (await playerLog(frame)).poses.length, { timeout: 90_000 })
+      .toBeGreaterThan(30);
     expect((await playerLog(frame)).errors).toEqual([]);
     await frame.evaluate(() => document.querySelector('deciwatch-player')!.remove());
   });

@@ -61,6 +61,17 @@ describe('figures in words', () => {
     expect(costHeadline({ ...cost, flopsRatio: 1.003 }).sentence).not.toContain('less');
   });
 
+  test('where the FLOPs of a look are not known, the headline says how often it looked', () => {
+    const { figure, sentence } = costHeadline({ ...cost, flopsRatio: null });
+    expect(plain(figure)).toBe('11 %');
+    expect(sentence).toContain('not known');
+  });
+
+  test('without nets, the bars name none', () => {
+    const { measured } = compareMs(cost, 'cubic');
+    expect(measured.map(({ name }) => name)).toEqual(['Decoding', 'Estimator', 'Spline']);
+  });
+
   test('the bar for every frame is decoding and one estimator call', () => {
     const { measuredTotal, everyFrameTotal } = compareMs(cost);
     expect(measuredTotal).toBeCloseTo(8.5, 9);

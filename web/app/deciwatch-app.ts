@@ -158,6 +158,7 @@ export class DeciWatchApp extends LitElement {
         </div>
         <div class="pane ${job && clip ? 'dimmed' : ''}">
           <dw-stage-view .sequence=${clip?.poses3d ?? null} .frame=${frame}></dw-stage-view>
+          ${clip && !clip.poses3d ? html`<p class="flat">This estimator gives no 3D</p>` : nothing}
           ${this.renderWork()}
         </div>
       </div>

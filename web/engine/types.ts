@@ -1,4 +1,5 @@
 import type { CostReport } from '../cost/report.ts';
+import type { PoseEstimator } from '../estimators/estimator.ts';
 import type { EstimatorName } from '../estimators/names.ts';
 import type { PoseSequence } from '../pose/sequence.ts';
 import type { ClipInfo } from '../sources/clip.ts';
@@ -6,15 +7,24 @@ import type { LiveSession, LiveSettings } from './live/types.ts';
 
 export type { ClipInfo };
 
+/**
+ * How the frames between the watched ones got their poses. `nets`: by DenoiseNet and RecoverNet.
+ * `cubic`: by a cubic spline through the samples as they are, where the nets were not trained on what
+ * the estimator gives.
+ */
+export type Recovery = 'nets' | 'cubic';
+
 /** The two sequences recovered from a clip, what was seen of it, and what that cost. */
 export interface RecoveredClip {
   readonly source: ClipInfo;
   /** N: one frame in N was watched. */
   readonly interval: number;
   readonly estimator: { readonly name: string; readonly flops: number };
+  readonly recovery: Recovery;
   /** Both have the same T, times and watched flags. */
   readonly poses2d: PoseSequence;
-  readonly poses3d: PoseSequence;
+  /** Null where the estimator gives no 3D. */
+  readonly poses3d: PoseSequence | null;
   readonly cost: CostReport;
 }
 
@@ -32,7 +42,12 @@ export interface RecoverProgress {
 export interface RecoverOptions {
   /** N, 1 to 20: the estimator watches one frame in N. */
   readonly every: number;
-  readonly estimator: EstimatorName;
+  /**
+   * One that comes with the engine, by its name, or any other. Another one stays the caller's: it runs
+   * on the caller's thread, and the engine never closes it. The nets do the rest where it gives
+   * `BLAZEPOSE_33`'s joints in 2D and 3D; otherwise a cubic spline does ({@link Recovery}).
+   */
+  readonly estimator: EstimatorName | PoseEstimator;
   readonly signal?: AbortSignal;
   readonly onProgress?: (progress: RecoverProgress) => void;
 }
@@ -41,13 +56,16 @@ export interface RecoverOptions {
 export interface Engine {
   /**
    * Recovers a pose for every frame of a clip.
-   * @throws DeciWatchError with one sentence for people; `AbortError` (DOMException) when aborted.
+   * @throws DeciWatchError with one sentence for people; `estimator-failed` where an estimator of the
+   *   caller's threw (its error is the `cause`) or gave what is no pose. `AbortError` (DOMException)
+   *   when aborted.
    */
   recover(clip: Blob, name: string, options: RecoverOptions): Promise<RecoveredClip>;
   /**
    * Follows a camera whose frames the caller hands over. One session at a time: a new one ends the one
    * before, whose `onError` is told (`camera-busy`).
-   * @throws DeciWatchError `bad-option`
+   * @throws DeciWatchError `bad-option`; also for an estimator of the caller's, since live playback
+   *   looks in the worker
    */
   live(settings: LiveSettings): LiveSession;
   /** Ends the worker and frees all that it holds. */

@@ -1,7 +1,10 @@
 import * as v from 'valibot';
+import type { Recovery } from '../engine/types.ts';
 
 /** What the first field of every pose file says. */
 export const POSE_FILE_FORMAT = 'deciwatch-poses/1';
+
+const RECOVERIES = ['nets', 'cubic'] as const satisfies readonly Recovery[];
 
 // The messages say what belongs in the place; the reader puts the place and what it found to them.
 const finite = v.pipe(v.number('a number'), v.finite('a finite number'));
@@ -26,7 +29,8 @@ const cost = v.object(
     estimatorCalls: whole(0),
     flopsPerFrame: v.object(costParts, 'an object'),
     everyFrameFlopsPerFrame: notNegative,
-    flopsRatio: notNegative,
+    /** Null where the estimator's FLOPs are not known. */
+    flopsRatio: v.nullable(notNegative),
     msPerFrame: v.object({ ...costParts, decode: notNegative }, 'an object'),
     msPerEstimatorCall: notNegative,
     wallMs: notNegative,
@@ -44,7 +48,10 @@ const frame = v.object(
     keypoints2d: v.nullable(
       v.array(v.strictTuple([finite, finite], 'a list [x, y]'), 'a list of [x, y], or null'),
     ),
-    /** Metres relative to the mid-hip: x right, y up, z towards the camera; null as above. */
+    /**
+     * Metres relative to the mid-hip: x right, y up, z towards the camera; null as above, or in all
+     * frames where the estimator gives no 3D.
+     */
     keypoints3d: v.nullable(
       v.array(
         v.strictTuple([finite, finite, finite], 'a list [x, y, z]'),
@@ -87,6 +94,8 @@ export const PoseFileSchema = v.object(
     ),
     interval: whole(1),
     estimator: v.object({ name: text, flops: notNegative }, 'an object'),
+    /** Files of before there was a choice do not say it. */
+    recovery: v.optional(v.picklist(RECOVERIES, '"nets" or "cubic"')),
     cost,
     frames: v.pipe(v.array(frame, 'a list of frames'), v.minLength(1, 'at least one frame')),
   },
