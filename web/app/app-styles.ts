@@ -15,7 +15,6 @@ export const appStyles = css`
   .pane > dw-progress-card, .pane > .start {
     position: absolute; left: 50%; top: 50%; translate: -50% -50%; width: min(25rem, calc(100% - 2rem));
   }
-  .flat { position: absolute; inset: 0; display: grid; place-content: center; pointer-events: none; color: var(--muted); }
   .start { display: grid; gap: 0.75rem; justify-items: center; text-align: center; padding: 1.25rem; }
   .deck { padding: 0.75rem 1rem 0.9375rem; border-top: 1px solid var(--line); display: grid; gap: 0.75rem; }
 

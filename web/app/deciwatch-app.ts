@@ -157,8 +157,11 @@ export class DeciWatchApp extends LitElement {
           ></dw-clip-view>
         </div>
         <div class="pane ${job && clip ? 'dimmed' : ''}">
-          <dw-stage-view .sequence=${clip?.poses3d ?? null} .frame=${frame}></dw-stage-view>
-          ${clip && !clip.poses3d ? html`<p class="flat">This estimator gives no 3D</p>` : nothing}
+          <dw-stage-view
+            .sequence=${clip?.poses3d ?? null}
+            .flat=${clip !== null && clip.poses3d === null}
+            .frame=${frame}
+          ></dw-stage-view>
           ${this.renderWork()}
         </div>
       </div>

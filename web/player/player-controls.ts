@@ -134,8 +134,9 @@ export class PlayerControls extends LitElement {
   private costWords(): string {
     if (!this.clip) return '';
     const { estimatorCalls, frames } = this.clip.cost;
-    const { figure } = costHeadline(this.clip.cost);
-    return `${estimatorCalls} of ${frames} frames watched · ${figure} of the FLOPs`;
+    const looks = `${estimatorCalls} of ${frames} frames watched`;
+    if (this.clip.cost.flopsRatio === null) return looks;
+    return `${looks} · ${costHeadline(this.clip.cost).figure} of the FLOPs`;
   }
 
   private button(

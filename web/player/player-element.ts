@@ -3,6 +3,7 @@ import { property, query, state } from 'lit/decorators.js';
 import type { LiveMode, LiveReport, LiveView as Moment } from '../engine/live/types.ts';
 import type { Engine, RecoveredClip, RecoverProgress } from '../engine/types.ts';
 import { DeciWatchError } from '../errors.ts';
+import type { PoseEstimator } from '../estimators/estimator.ts';
 import { DEFAULT_ESTIMATOR, type EstimatorName } from '../estimators/names.ts';
 import { frameAtTime, hasPose, type PoseSequence, poseAt } from '../pose/sequence.ts';
 import { ClipWork } from './clip-work.ts';
@@ -51,6 +52,12 @@ const KEYS: Readonly<Record<string, ControlAction>> = {
   '.': { kind: 'forward' },
 };
 
+/** An estimator of the page's own has no place in an attribute. */
+const ESTIMATOR = {
+  fromAttribute: (name: string | null) => (name ?? DEFAULT_ESTIMATOR) as EstimatorName,
+  toAttribute: (value: unknown) => (typeof value === 'string' ? value : null),
+};
+
 /** Attributes that say what is played, or how its poses are recovered. */
 const SOURCE = ['src', 'srcObject', 'camera', 'models'] as const;
 const SETTINGS = ['every', 'estimator', 'mode'] as const;
@@ -62,7 +69,8 @@ export class PlayerElement extends LitElement implements DeciWatchPlayer {
   @property({ attribute: false }) srcObject: Blob | null = null;
   @property({ type: Boolean, reflect: true }) camera = false;
   @property({ type: Number, reflect: true, useDefault: true }) every = DEFAULT_EVERY;
-  @property({ reflect: true, useDefault: true }) estimator: EstimatorName = DEFAULT_ESTIMATOR;
+  @property({ reflect: true, useDefault: true, converter: ESTIMATOR })
+  estimator: EstimatorName | PoseEstimator = DEFAULT_ESTIMATOR;
   @property({ reflect: true, useDefault: true }) mode: LiveMode = 'smooth';
   @property({ reflect: true, useDefault: true }) view: PlayerView = 'both';
   @property({ type: Boolean, reflect: true }) controls = false;
@@ -281,6 +289,7 @@ export class PlayerElement extends LitElement implements DeciWatchPlayer {
     return html`<dw-stage-view
       part="stage"
       .sequence=${this.recovered?.poses3d ?? null}
+      .flat=${this.recovered !== null && this.recovered.poses3d === null}
       .frame=${this.frame}
       .mirrored=${this.mirror}
       .live=${this.camera ? (this.mirror ? 'mirrored' : 'plain') : null}

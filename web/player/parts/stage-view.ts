@@ -32,6 +32,8 @@ export class StageView extends LitElement {
   @property({ attribute: false }) frame = 0;
   /** The sequence is shown as in a mirror. */
   @property({ attribute: false }) mirrored = false;
+  /** There is a clip, but its poses have no third dimension. */
+  @property({ attribute: false }) flat = false;
   /** Poses come one by one by {@link showPose}; as in a mirror, or as the camera sees them. */
   @property({ attribute: false }) live: 'mirrored' | 'plain' | null = null;
   @state() private view: View | null = 'angle';
@@ -81,7 +83,9 @@ export class StageView extends LitElement {
         @keydown=${this.keyed}
         @pointerdown=${this.taken}
       ></div>
-      <p class="nobody ${nobody && !this.message ? 'shown' : ''}" aria-hidden=${!nobody}>Nobody seen in this frame</p>
+      <p class="nobody ${(nobody || this.flat) && !this.message ? 'shown' : ''}" aria-hidden=${!nobody && !this.flat}>
+        ${this.flat ? 'This estimator gives no 3D' : 'Nobody seen in this frame'}
+      </p>
       ${this.message ? html`<p class="message" role="status">${this.message}</p>` : this.renderBars()}
     </div>`;
   }
