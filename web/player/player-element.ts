@@ -1,10 +1,15 @@
 import { html, LitElement, nothing, type PropertyValues } from 'lit';
 import { property, query, state } from 'lit/decorators.js';
-import type { LiveMode, LiveReport, LiveView as Moment } from '../engine/live/types.ts';
+import type {
+  LiveMode,
+  LiveReport,
+  LiveSettings,
+  LiveView as Moment,
+} from '../engine/live/types.ts';
 import type { Engine, RecoveredClip, RecoverProgress } from '../engine/types.ts';
 import { DeciWatchError } from '../errors.ts';
 import type { PoseEstimator } from '../estimators/estimator.ts';
-import { DEFAULT_ESTIMATOR, type EstimatorName } from '../estimators/names.ts';
+import { DEFAULT_ESTIMATOR, ESTIMATOR_NAMES, type EstimatorName } from '../estimators/names.ts';
 import { frameAtTime, hasPose, type PoseSequence, poseAt } from '../pose/sequence.ts';
 import { ClipWork } from './clip-work.ts';
 import { CameraFollower } from './live/camera-follower.ts';
@@ -489,13 +494,14 @@ export class PlayerElement extends LitElement implements DeciWatchPlayer {
     if (camera) this.status = 'The camera is on.';
   }
 
-  private liveSettings() {
-    return {
-      every: this.every,
-      estimator: this.estimator,
-      mode: this.mode,
-      load: 'adapt',
-    } as const;
+  /** @throws DeciWatchError `bad-option` */
+  private liveSettings(): LiveSettings {
+    const { every, estimator, mode } = this;
+    if (typeof estimator === 'string') return { every, estimator, mode, load: 'adapt' };
+    throw new DeciWatchError(
+      'bad-option',
+      `The camera cannot be followed by ${estimator.name}: set estimator to ${ESTIMATOR_NAMES.join(', ')}.`,
+    );
   }
 
   private changeSettings(): void {
