@@ -1,4 +1,5 @@
 import { defaultClientConditions, defineConfig } from 'vite';
+import { offlinePlugin } from './web/cli/build/offline-plugin.ts';
 import { widgetInDev } from './web/cli/build/widget-in-dev.ts';
 
 const WIDGET = '/web/player/player.ts';
@@ -7,7 +8,7 @@ const WIDGET_NAME = 'widget';
 export default defineConfig({
   // Relative, so that the built site works from any folder of any host.
   base: './',
-  plugins: [widgetInDev(WIDGET)],
+  plugins: [widgetInDev(WIDGET), offlinePlugin()],
   // One file, which names no other: it can be copied, renamed and started from another origin.
   worker: { format: 'es', rollupOptions: { output: { codeSplitting: false } } },
   resolve: {
