@@ -158,11 +158,15 @@ describe('the widget on somebody else’s page', () => {
       }, widget.url + WALK);
     // What is made once for the page is there after the first rounds.
     for (let i = 0; i < 4; i++) expect(await round()).toBe(true);
+    await expect.poll(() => probe.workers).toBe(0);
     const before = await probe.measure();
     for (let i = 4; i < 20; i++) expect(await round()).toBe(true);
-    await expect.poll(() => page.workers().length).toBe(0);
+    await expect.poll(() => probe.workers).toBe(0);
     const after = await probe.measure();
-    expect(after.workers).toBe(0);
+    expect(page.workers()).toHaveLength(0);
+    process.stdout.write(
+      `heap ${before.heap} to ${after.heap}, wasm ${before.wasm} to ${after.wasm}\n`,
+    );
     expect(after.openFrames).toBe(0);
     expect(after.heap / before.heap).toBeLessThan(1.05);
     expect((await playerLog(page)).errors).toEqual([]);

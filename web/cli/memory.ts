@@ -36,6 +36,11 @@ export class MemoryProbe {
     return probe;
   }
 
+  /** Workers that are alive now. */
+  get workers(): number {
+    return this.#workers.size;
+  }
+
   async measure(): Promise<Memory> {
     const page: Send = (method, params) =>
       this.session.send(method as 'Runtime.enable', params as never) as never;

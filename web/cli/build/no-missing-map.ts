@@ -7,8 +7,9 @@ export function noMissingMap(): Plugin {
     name: 'deciwatch-no-missing-map',
     apply: 'serve',
     load(id) {
-      if (!id.endsWith('/tasks-vision/vision_bundle.mjs')) return null;
-      return readFileSync(id, 'utf8').replace(/^\/\/# sourceMappingURL=.*$/m, '');
+      const [file] = id.split('?');
+      if (!file?.endsWith('/tasks-vision/vision_bundle.mjs') || id.includes('?url')) return null;
+      return readFileSync(file, 'utf8').replace(/\/\/# sourceMappingURL=.*/, '');
     },
   };
 }
