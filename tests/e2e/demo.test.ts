@@ -64,7 +64,7 @@ describe('the built demo', () => {
       .filter((url) => !/^(blob|data):/.test(url) && new URL(url).origin !== origin);
     expect(foreign).toEqual([]);
     // The worker's requests are among them, or the line above would prove little.
-    expect(requests.some((request) => request.url().endsWith('pose_landmarker_full.task'))).toBe(
+    expect(requests.some((request) => request.url().includes('pose_landmarker_full.task?'))).toBe(
       true,
     );
     const stored = await page.evaluate(async () => ({
@@ -72,8 +72,17 @@ describe('the built demo', () => {
       session: sessionStorage.length,
       cookies: document.cookie,
       databases: (await indexedDB.databases()).length,
+      caches: (await caches.keys()).length,
+      workers: (await navigator.serviceWorker.getRegistrations()).length,
     }));
-    expect(stored).toEqual({ local: 0, session: 0, cookies: '', databases: 0 });
+    expect(stored).toEqual({
+      local: 0,
+      session: 0,
+      cookies: '',
+      databases: 0,
+      caches: 0,
+      workers: 0,
+    });
     expect(requests.some((request) => request.url().includes('heavy'))).toBe(false);
     expect(complaints).toEqual([]);
   });
@@ -165,7 +174,7 @@ describe('the built demo', () => {
 
   test('says which model is missing when it cannot be had', async () => {
     const { page } = await open((fresh) =>
-      fresh.route('**/*.task', (route) => route.fulfill({ status: 404, body: 'gone' })),
+      fresh.route('**/*.task?*', (route) => route.fulfill({ status: 404, body: 'gone' })),
     );
     await expect
       .poll(() => page.getByTestId('error').innerText(), { timeout: 60_000 })

@@ -72,7 +72,8 @@ afterAll(async () => {
   await site?.remove();
 });
 
-describe('keeping the page for offline use', () => {
+// Each recovers the sample several times.
+describe('keeping the page for offline use', { timeout: 400_000 }, () => {
   test('happens when asked for, works without a server, keeps what is used later, and is undone', async () => {
     const page = await open();
     await expect.poll(() => words(page)).toMatch(/Keep it \(\d+\.\d\sMB\)/);
