@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { Ajv2020 } from 'ajv/dist/2020.js';
-import { describe, expect, it } from 'vitest';
+import type { InferOutput } from 'valibot';
+import { describe, expect, expectTypeOf, it } from 'vitest';
 import { DeciWatchError } from '../../web/errors.ts';
 import {
   type PoseFile,
@@ -10,6 +11,7 @@ import {
   stringifyPoseFile,
   toPoseFile,
 } from '../../web/formats/pose-file.ts';
+import type { PoseFileSchema } from '../../web/formats/pose-file-schema.ts';
 import { pick, seededRandom } from './random.ts';
 import { recoveredClip } from './recovered-clip.ts';
 
@@ -35,6 +37,11 @@ function refusal(json: unknown): string {
   }
   return 'accepted';
 }
+
+it('has a type that says all that the schema checks', () => {
+  // The other direction is held where the schema is written.
+  expectTypeOf<PoseFile>().toExtend<InferOutput<typeof PoseFileSchema>>();
+});
 
 describe('a written file', () => {
   it('is named after its clip', () => {

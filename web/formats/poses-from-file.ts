@@ -1,6 +1,6 @@
 import type { Dimensions, PoseSequence } from '../pose/sequence.ts';
 import { type Skeleton, sideOf } from '../pose/skeleton.ts';
-import type { PoseFile } from './pose-file-schema.ts';
+import type { PoseFile } from './pose-file-types.ts';
 
 /** The two sequences in a pose file that `parsePoseFile` has let through. */
 export function posesFromFile(file: PoseFile): { poses2d: PoseSequence; poses3d: PoseSequence } {

@@ -1,7 +1,12 @@
 /**
  * The library `deciwatch-web`: the engine, its parts, pose files and metrics. Importing it does nothing
  * by itself; `deciwatch-web/player` is the element.
+ *
+ * The headings here and in `poses.ts` are those of the API reference (`docs/api.md`), in this order.
  */
+
+// # Recovering a clip
+
 export { createEngine, type EngineOptions } from '../engine/client.ts';
 export type {
   ClipInfo,
@@ -11,4 +16,29 @@ export type {
   RecoverProgress,
   RecoverStage,
 } from '../engine/types.ts';
-export { DeciWatchError, type DeciWatchErrorCode } from '../errors.ts';
+export { DEFAULT_INTERVAL, MAX_INTERVAL, MIN_INTERVAL } from '../sampling/watched.ts';
+
+// # Estimators
+
+export type { EstimatorImage, PoseEstimate, PoseEstimator } from '../estimators/estimator.ts';
+export { DEFAULT_ESTIMATOR, ESTIMATOR_NAMES, type EstimatorName } from '../estimators/names.ts';
+
+// # Following a camera
+
+export type { LiveReport } from '../cost/live-meter.ts';
+export type {
+  LiveMode,
+  LivePose,
+  LiveSession,
+  LiveSettings,
+  LiveState,
+  LiveStatus,
+  LiveView,
+  LoadPolicy,
+} from '../engine/live/types.ts';
+export { type Camera, type CameraChoice, listCameras, openCamera } from '../sources/camera.ts';
+export { type CameraFrame, watchCameraFrames } from '../sources/camera-frames.ts';
+
+// What needs no engine.
+
+export * from './poses.ts';

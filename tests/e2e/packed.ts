@@ -1,0 +1,137 @@
+import { execFile } from 'node:child_process';
+import { rmSync } from 'node:fs';
+import { cp, mkdir, mkdtemp, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { promisify } from 'node:util';
+import { build, createServer, type InlineConfig, preview } from 'vite';
+import { PROJECT_ROOT, type Site } from '../../web/cli/site.ts';
+
+const run = promisify(execFile);
+
+/** Where everything here is written: gone when the tests end. */
+let workshop: string | undefined;
+
+async function folder(name: string): Promise<string> {
+  if (!workshop) {
+    const made = await mkdtemp(join(tmpdir(), 'deciwatch-package-'));
+    process.once('exit', () => rmSync(made, { recursive: true, force: true }));
+    workshop = made;
+  }
+  return mkdtemp(join(workshop, `${name}-`));
+}
+
+let packed: Promise<string> | undefined;
+
+/**
+ * What `npm install` would put into `node_modules/deciwatch-web`: the package built, packed and unpacked,
+ * once for a test file.
+ * @returns its folder, not to be written to
+ */
+export function packedPackage(): Promise<string> {
+  packed ??= pack();
+  return packed;
+}
+
+async function pack(): Promise<string> {
+  const into = await folder('tarball');
+  await run('npm', ['run', 'build:lib'], { cwd: PROJECT_ROOT });
+  // The build above is what `prepack` would do.
+  const { stdout } = await run(
+    'npm',
+    ['pack', '--ignore-scripts', '--json', '--pack-destination', into],
+    { cwd: PROJECT_ROOT },
+  );
+  const [{ filename }] = JSON.parse(stdout) as [{ filename: string }];
+  await run('tar', ['-xzf', filename], { cwd: into });
+  return join(into, 'package');
+}
+
+/** A page of somebody's. */
+export interface ForeignPage {
+  /** The body's HTML. */
+  readonly html?: string;
+  /** A module: `main.ts` in a project, inline in a plain page. */
+  readonly script: string;
+  /** Files to serve beside the page: their names there, and where they are now. */
+  readonly files?: Readonly<Record<string, string>>;
+}
+
+const DOCUMENT = (body: string, script: string) => `<!doctype html>
+<html lang="en">
+  <head><meta charset="utf-8"><title>Somebody's page</title></head>
+  <body>${body}${script}</body>
+</html>
+`;
+
+/** A folder with the package installed, and the files beside the page in `served`. */
+async function foreignFolder(page: ForeignPage, served: string): Promise<string> {
+  const root = await folder('page');
+  await mkdir(join(root, 'node_modules'));
+  await mkdir(join(root, served), { recursive: true });
+  await cp(await packedPackage(), join(root, 'node_modules/deciwatch-web'), { recursive: true });
+  await writeFile(join(root, 'package.json'), '{ "private": true, "type": "module" }\n');
+  for (const [name, from] of Object.entries(page.files ?? {})) {
+    await cp(from, join(root, served, name));
+  }
+  return root;
+}
+
+/** A new Vite project that has the package installed, and nothing configured. @returns its folder */
+export async function viteProject(page: ForeignPage): Promise<string> {
+  const root = await foreignFolder(page, 'public');
+  const script = '<script type="module" src="/main.ts"></script>';
+  await writeFile(join(root, 'index.html'), DOCUMENT(page.html ?? '', script));
+  await writeFile(join(root, 'main.ts'), page.script);
+  return root;
+}
+
+const quiet = (root: string): InlineConfig => ({ root, configFile: false, logLevel: 'error' });
+
+const LOOPBACK = { host: '127.0.0.1', port: 0, strictPort: false, open: false };
+
+/** Builds a project as `npx vite build` does. @returns the folder of the site */
+export async function buildProject(root: string): Promise<string> {
+  await build(quiet(root));
+  return join(root, 'dist');
+}
+
+/** A new Vite project, served as it is built or by Vite's development server. */
+export async function freshViteProject(page: ForeignPage, mode: 'build' | 'dev'): Promise<Site> {
+  const root = await viteProject(page);
+  if (mode === 'build') return served(root, await buildProject(root));
+  const server = await createServer({ ...quiet(root), server: LOOPBACK });
+  await server.listen();
+  return site(server);
+}
+
+/**
+ * A page without any bundler, served as it lies there; the package is in `./node_modules/deciwatch-web`.
+ * Its script must not contain the text of a closing tag.
+ */
+export async function plainPage(page: ForeignPage): Promise<Site> {
+  const root = await foreignFolder(page, '.');
+  const script = `<script type="module">${page.script}</script>`;
+  await writeFile(join(root, 'index.html'), DOCUMENT(page.html ?? '', script));
+  return served(root, root);
+}
+
+/** Serves a folder as any web server does: what is not there is a 404. */
+async function served(root: string, outDir: string): Promise<Site> {
+  const server = await preview({
+    ...quiet(root),
+    appType: 'mpa',
+    build: { outDir },
+    preview: LOOPBACK,
+  });
+  return site(server);
+}
+
+function site(server: {
+  readonly resolvedUrls: { readonly local: string[] } | null;
+  close(): Promise<void>;
+}): Site {
+  const url = server.resolvedUrls?.local[0];
+  if (!url) throw new Error('The page could not be served on 127.0.0.1.');
+  return { url, close: () => server.close() };
+}

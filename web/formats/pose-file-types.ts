@@ -1,0 +1,58 @@
+import type { CostReport } from '../cost/report.ts';
+
+/**
+ * A pose file, `deciwatch-poses/1`, as JSON holds it: a 2D and a 3D pose for every frame of a clip.
+ * Fields that are not named here are ignored.
+ */
+export interface PoseFile {
+  /** Always {@link POSE_FILE_FORMAT}. */
+  format: 'deciwatch-poses/1';
+  source: {
+    /** The clip's file name. */
+    name: string;
+    /** Pixels, as displayed: rotation applied. */
+    width: number;
+    /** Pixels. */
+    height: number;
+    /** Mean frames per second; exact times are those of the frames. */
+    fps: number;
+    /** T, frames of the clip and of this file. */
+    frames: number;
+    /** Seconds, to the end of the last frame. */
+    duration: number;
+  };
+  skeleton: {
+    /** `blazepose-33` with the estimators that come with the package. */
+    name: string;
+    /** K joint names, in the order of all lists of a frame. */
+    joints: string[];
+    /** Pairs of different joint indices. */
+    bones: [number, number][];
+  };
+  /** N: one frame in N was watched. */
+  interval: number;
+  estimator: {
+    name: string;
+    /** FLOPs of one of its calls. */
+    flops: number;
+  };
+  cost: CostReport;
+  /** T frames, in order. */
+  frames: PoseFileFrame[];
+}
+
+/** One frame of a {@link PoseFile}. Where nobody was seen, all three lists are null. */
+export interface PoseFileFrame {
+  /** Its place in the clip, from 0. */
+  index: number;
+  /** Seconds: the video file's own timestamp, to 1 µs. */
+  time: number;
+  /** The estimator looked at this frame; otherwise its pose was recovered. */
+  watched: boolean;
+  /** K pairs x, y in pixels of the picture as displayed, to 0.01: origin top left, y down. */
+  keypoints2d: [number, number][] | null;
+  /** K triples x, y, z in metres relative to the mid-hip, to 0.1 mm: x right, y up, z towards the camera. */
+  keypoints3d: [number, number, number][] | null;
+  /** K scores, 0 to 1. */
+  scores: number[] | null;
+}
