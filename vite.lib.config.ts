@@ -40,7 +40,8 @@ export default mergeConfig(
         output: {
           entryFileNames: '[name].js',
           chunkFileNames: 'chunks/[name].js',
-          assetFileNames: 'runtime/[name][extname]',
+          // Not .mjs, which many web servers do not know to be JavaScript.
+          assetFileNames: ({ names }) => `runtime/${names[0]?.replace(/\.mjs$/, '.js')}`,
           // What does not need the engine must not bring it along: a bundler drops whole files.
           codeSplitting: {
             groups: [

@@ -5,6 +5,12 @@ import type { Plugin } from 'vite';
 /** The folders of `public/` that the engine fetches from; the rest is the demo's. */
 const FOLDERS = ['models', 'estimators'];
 
+/**
+ * Modules are strict without it; but webpack's minifier takes a `.js` file that it only copies for a script,
+ * and leaves out braces that strict code must have.
+ */
+const STRICT = '"use strict";';
+
 /** Puts the models and their licences beside the modules, under the names that their manifests give. */
 export function libFiles(): Plugin {
   let publicDir = '';
@@ -12,6 +18,13 @@ export function libFiles(): Plugin {
     name: 'deciwatch:lib-files',
     configResolved: (config) => {
       publicDir = config.publicDir;
+    },
+    generateBundle(_, bundle) {
+      for (const output of Object.values(bundle)) {
+        if (output.type === 'asset' && output.fileName.endsWith('.js')) {
+          output.source = `${STRICT}\n${Buffer.from(output.source)}`;
+        }
+      }
     },
     async writeBundle({ dir }) {
       if (!dir) return;

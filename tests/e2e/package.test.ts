@@ -1,5 +1,5 @@
 import { execFile } from 'node:child_process';
-import { readdir, readFile, writeFile } from 'node:fs/promises';
+import { cp, readdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
 import { type Browser, chromium } from 'playwright-core';
@@ -13,25 +13,27 @@ const run = promisify(execFile);
 const WALK = { 'walk.mp4': join(PROJECT_ROOT, 'public/samples/walk.mp4') };
 
 /** Recovers the clip that lies beside the page, and leaves what came of it in the page's title. */
-const recoverFrom = (library: string) => `
-import { createEngine, mpjpe } from '${library}';
+const recoverWith = (library: string) => `
+import { createEngine } from '${library}';
 const engine = createEngine();
 try {
   const clip = await (await fetch('walk.mp4')).blob();
-  const { poses2d, poses3d, cost, estimator } = await engine.recover(clip, 'walk.mp4', { every: 10, estimator: 'lite' });
-  const joints = poses3d.skeleton.joints.length;
+  const recovered = await engine.recover(clip, 'walk.mp4', { every: 10, estimator: 'lite' });
+  const { poses2d, poses3d, cost, estimator } = recovered;
   document.title = JSON.stringify({
     frames: poses2d.times.length,
     calls: cost.estimatorCalls,
     estimator: estimator.name,
     complete: poses3d.values.every(Number.isFinite) && poses2d.values.every(Number.isFinite),
-    error: mpjpe(poses3d.values, poses3d.values, { joints, dims: 3 }),
   });
 } catch (error) {
   document.title = JSON.stringify({ failure: String(error) });
 }
 engine.close();
 `;
+
+/** The bundled clip: every frame has a pose, and the estimator saw 0, 10, … 120 and the last. */
+const RECOVERED = { frames: 126, calls: 14, estimator: 'lite', complete: true, complaints: [] };
 
 let browser: Browser;
 
@@ -44,16 +46,16 @@ beforeAll(async () => {
 });
 afterAll(() => browser?.close());
 
-/** What the page says in the end, and what it asked for that was not there or not its own. */
+/** What a page says in the end, and what it asked for that was not there or not its own. */
 async function outcome(site: Site) {
   const page = await browser.newPage();
   const complaints: string[] = [];
-  const origin = new URL(site.url).origin;
+  const { origin } = new URL(site.url);
   page.on('pageerror', (error) => complaints.push(String(error)));
   page.context().on('response', (response) => {
     const url = new URL(response.url());
-    const isOwn = url.origin === origin || ['blob:', 'data:'].includes(url.protocol);
-    if ((!response.ok() || !isOwn) && url.pathname !== '/favicon.ico') {
+    const isOwn = url.origin === origin || /^(blob|data):$/.test(url.protocol);
+    if (url.pathname !== '/favicon.ico' && !(response.ok() && isOwn)) {
       complaints.push(`${response.status()} ${url.href}`);
     }
   });
@@ -69,28 +71,111 @@ async function outcome(site: Site) {
   }
 }
 
-const RECOVERED = {
-  frames: 180,
-  calls: 19,
-  estimator: 'lite',
-  complete: true,
-  error: 0,
-  complaints: [],
-};
-
 describe('the package recovers a clip', () => {
   test('in a new Vite project, built', async () => {
-    const page = { script: recoverFrom('deciwatch-web'), files: WALK };
+    const page = { script: recoverWith('deciwatch-web'), files: WALK };
     expect(await outcome(await freshViteProject(page, 'build'))).toEqual(RECOVERED);
   });
 
   test("in a new Vite project, on Vite's development server", async () => {
-    const page = { script: recoverFrom('deciwatch-web'), files: WALK };
+    const page = { script: recoverWith('deciwatch-web'), files: WALK };
     expect(await outcome(await freshViteProject(page, 'dev'))).toEqual(RECOVERED);
   });
 
   test('in a page without a bundler', async () => {
-    const script = recoverFrom('./node_modules/deciwatch-web/lib/index.js');
+    const script = recoverWith('./node_modules/deciwatch-web/lib/index.js');
     expect(await outcome(await plainPage({ script, files: WALK }))).toEqual(RECOVERED);
+  });
+});
+
+describe('what a bundler makes of a part of it', () => {
+  /** A built page's files under `assets/`, with the bytes of its code. */
+  async function built(entry: string) {
+    const script = `
+      import { mpjpe } from '${entry}';
+      document.title = String(mpjpe([1, 2, 3], [1, 2, 4], { joints: 1, dims: 3 }));`;
+    const assets = join(await buildProject(await viteProject({ script })), 'assets');
+    const files = await readdir(assets);
+    const code = files.find((file) => /^index-.*\.js$/.test(file));
+    return { files, code: await readFile(join(assets, code ?? ''), 'utf8') };
+  }
+
+  test('the metrics bring no engine', async () => {
+    const { code } = await built('deciwatch-web');
+    expect(code.length).toBeLessThan(4000);
+    expect(code).not.toMatch(/comlink|worker/i);
+  });
+
+  test('from their own entry, they bring no models either', async () => {
+    const { files } = await built('deciwatch-web/poses');
+    expect(files).toHaveLength(1);
+  });
+});
+
+describe('the package', () => {
+  test('has types that need no other package', async () => {
+    const root = await viteProject({ script: '' });
+    await cp(join(PROJECT_ROOT, 'tests/fixtures/consumer/consumer.ts'), join(root, 'main.ts'));
+    const compilerOptions = {
+      target: 'ES2022',
+      lib: ['ES2022', 'DOM', 'DOM.Iterable'],
+      module: 'ESNext',
+      moduleResolution: 'bundler',
+      types: [],
+      strict: true,
+      exactOptionalPropertyTypes: true,
+      skipLibCheck: false,
+      noEmit: true,
+    };
+    await writeFile(
+      join(root, 'tsconfig.json'),
+      JSON.stringify({ compilerOptions, files: ['main.ts'] }),
+    );
+    const tsc = join(PROJECT_ROOT, 'node_modules/typescript/bin/tsc');
+    const { stdout } = await run(process.execPath, [tsc, '-p', root]).catch((error) => error);
+    expect(stdout).toBe('');
+  });
+
+  test('can be imported where there is no page, and does nothing', async () => {
+    const root = await viteProject({ script: '' });
+    await writeFile(
+      join(root, 'import.js'),
+      `const before = Object.keys(globalThis).length;
+       const library = await import('deciwatch-web');
+       console.log(JSON.stringify({
+         kinds: [...new Set(Object.values(library).map((value) => typeof value))].sort(),
+         metric: library.mpjpe([1, 2, 3], [1, 2, 4], { joints: 1, dims: 3 }),
+         added: Object.keys(globalThis).length - before,
+       }));`,
+    );
+    const { stdout, stderr } = await run(process.execPath, [join(root, 'import.js')]);
+    expect(stderr).toBe('');
+    expect(JSON.parse(stdout)).toEqual({
+      kinds: ['function', 'number', 'object', 'string'],
+      metric: 1,
+      added: 0,
+    });
+  });
+
+  test('carries the models, and every licence', async () => {
+    const files = await readdir(await packedPackage(), { recursive: true });
+    expect(files).toEqual(
+      expect.arrayContaining([
+        'LICENSE',
+        'THIRD_PARTY.md',
+        'lib/LICENSES.md',
+        'lib/estimators/LICENSE-mediapipe.txt',
+        'lib/estimators/pose_landmarker_heavy.task',
+        'lib/models/3d-forecast.onnx',
+        'lib/worker.js',
+      ]),
+    );
+    expect(
+      files.filter((file) => /walk\.mp4|favicon|\.ts$/.test(file) && !file.endsWith('.d.ts')),
+    ).toEqual([]);
+    const { dependencies } = JSON.parse(
+      await readFile(join(await packedPackage(), 'package.json'), 'utf8'),
+    );
+    expect(dependencies).toBeUndefined();
   });
 });

@@ -130,3 +130,9 @@ export interface DeciWatchPlayer extends HTMLElement {
     options?: boolean | EventListenerOptions,
   ): void;
 }
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'deciwatch-player': DeciWatchPlayer;
+  }
+}
