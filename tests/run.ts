@@ -72,6 +72,7 @@ async function main(): Promise<void> {
   const counts = [
     check('npx', ['biome', 'check', '.']),
     check('npx', ['tsc', '--noEmit']),
+    check('npm', ['run', 'docs:api', '--', '--check']),
     vitest('unit'),
     vitest('browser'),
     vitest('e2e'),

@@ -7,38 +7,41 @@ import type { CostReport } from '../cost/report.ts';
 export interface PoseFile {
   /** Always {@link POSE_FILE_FORMAT}. */
   format: 'deciwatch-poses/1';
-  source: {
-    /** The clip's file name. */
-    name: string;
-    /** Pixels, as displayed: rotation applied. */
-    width: number;
-    /** Pixels. */
-    height: number;
-    /** Mean frames per second; exact times are those of the frames. */
-    fps: number;
-    /** T, frames of the clip and of this file. */
-    frames: number;
-    /** Seconds, to the end of the last frame. */
-    duration: number;
-  };
-  skeleton: {
-    /** `blazepose-33` with the estimators that come with the package. */
-    name: string;
-    /** K joint names, in the order of all lists of a frame. */
-    joints: string[];
-    /** Pairs of different joint indices. */
-    bones: [number, number][];
-  };
+  source: PoseFileSource;
+  skeleton: PoseFileSkeleton;
   /** N: one frame in N was watched. */
   interval: number;
-  estimator: {
-    name: string;
-    /** FLOPs of one of its calls. */
-    flops: number;
-  };
+  /** Who watched, and the FLOPs of one of its calls. */
+  estimator: { name: string; flops: number };
   cost: CostReport;
   /** T frames, in order. */
   frames: PoseFileFrame[];
+}
+
+/** The clip of a {@link PoseFile}. */
+export interface PoseFileSource {
+  /** The clip's file name. */
+  name: string;
+  /** Pixels, as displayed: rotation applied. */
+  width: number;
+  /** Pixels. */
+  height: number;
+  /** Mean frames per second; exact times are those of the frames. */
+  fps: number;
+  /** T, frames of the clip and of the file. */
+  frames: number;
+  /** Seconds, to the end of the last frame. */
+  duration: number;
+}
+
+/** The joints of a {@link PoseFile}. */
+export interface PoseFileSkeleton {
+  /** `blazepose-33` with the estimators that come with the package. */
+  name: string;
+  /** K joint names, in the order of all lists of a frame. */
+  joints: string[];
+  /** Pairs of different joint indices. */
+  bones: [number, number][];
 }
 
 /** One frame of a {@link PoseFile}. Where nobody was seen, all three lists are null. */

@@ -9,7 +9,7 @@ const DECIMALS_3D = 4;
 const DECIMALS_TIME = 6;
 const DECIMALS_SCORE = 3;
 
-/** A recovered clip as a pose file. */
+/** A recovered clip as a pose file: values rounded to 0.01 px, 0.1 mm and 1 µs. */
 export function toPoseFile(clip: RecoveredClip): PoseFile {
   const { source, estimator, cost } = clip;
   const { name, joints, bones } = clip.poses2d.skeleton;

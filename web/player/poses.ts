@@ -33,6 +33,8 @@ export {
   POSE_FILE_FORMAT,
   type PoseFile,
   type PoseFileFrame,
+  type PoseFileSkeleton,
+  type PoseFileSource,
   parsePoseFile,
   poseFileName,
   posesFromFile,
