@@ -113,9 +113,16 @@ describe('what a bundler makes of a part of it', () => {
 });
 
 describe('the package', () => {
-  test('has types that need no other package', async () => {
+  test('has types that need no other package, and that the guide keeps to', async () => {
     const root = await viteProject({ script: '' });
     await cp(join(PROJECT_ROOT, 'tests/fixtures/consumer/consumer.ts'), join(root, 'main.ts'));
+    const guide = await readFile(join(PROJECT_ROOT, 'docs/library.md'), 'utf8');
+    const examples = Array.from(guide.matchAll(/^```ts\n(.*?)^```/gms), ([, code]) => code!);
+    expect(examples.length).toBeGreaterThan(2);
+    const files = ['main.ts', ...examples.map((_, index) => `example-${index}.ts`)];
+    for (const [index, code] of examples.entries()) {
+      await writeFile(join(root, `example-${index}.ts`), code);
+    }
     const compilerOptions = {
       target: 'ES2022',
       lib: ['ES2022', 'DOM', 'DOM.Iterable'],
@@ -127,10 +134,7 @@ describe('the package', () => {
       skipLibCheck: false,
       noEmit: true,
     };
-    await writeFile(
-      join(root, 'tsconfig.json'),
-      JSON.stringify({ compilerOptions, files: ['main.ts'] }),
-    );
+    await writeFile(join(root, 'tsconfig.json'), JSON.stringify({ compilerOptions, files }));
     const tsc = join(PROJECT_ROOT, 'node_modules/typescript/bin/tsc');
     const { stdout } = await run(process.execPath, [tsc, '-p', root]).catch((error) => error);
     expect(stdout).toBe('');
