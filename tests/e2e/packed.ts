@@ -1,25 +1,25 @@
 import { execFile } from 'node:child_process';
-import { rmSync } from 'node:fs';
-import { cp, mkdir, mkdtemp, writeFile } from 'node:fs/promises';
+import { cp, link, mkdir, mkdtemp, readdir, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
 import { build, createServer, type InlineConfig, preview } from 'vite';
+import { afterAll } from 'vitest';
 import { PROJECT_ROOT, type Site } from '../../web/cli/site.ts';
 
 const run = promisify(execFile);
 
-/** Where everything here is written: gone when the tests end. */
-let workshop: string | undefined;
+/** Where everything here is written: gone when the file's tests have ended. */
+let workshop: Promise<string> | undefined;
 
 async function folder(name: string): Promise<string> {
-  if (!workshop) {
-    const made = await mkdtemp(join(tmpdir(), 'deciwatch-package-'));
-    process.once('exit', () => rmSync(made, { recursive: true, force: true }));
-    workshop = made;
-  }
-  return mkdtemp(join(workshop, `${name}-`));
+  workshop ??= mkdtemp(join(tmpdir(), 'deciwatch-package-'));
+  return mkdtemp(join(await workshop, `${name}-`));
 }
+
+afterAll(async () => {
+  if (workshop) await rm(await workshop, { recursive: true, force: true });
+});
 
 let packed: Promise<string> | undefined;
 
@@ -64,12 +64,20 @@ const DOCUMENT = (body: string, script: string) => `<!doctype html>
 </html>
 `;
 
+/** A copy that takes no room: the package is 80 MB. */
+async function linkAll(from: string, to: string): Promise<void> {
+  await mkdir(to, { recursive: true });
+  for (const entry of await readdir(from, { withFileTypes: true })) {
+    const copy = entry.isDirectory() ? linkAll : link;
+    await copy(join(from, entry.name), join(to, entry.name));
+  }
+}
+
 /** A folder with the package installed, and the files beside the page in `served`. */
 async function foreignFolder(page: ForeignPage, served: string): Promise<string> {
   const root = await folder('page');
-  await mkdir(join(root, 'node_modules'));
   await mkdir(join(root, served), { recursive: true });
-  await cp(await packedPackage(), join(root, 'node_modules/deciwatch-web'), { recursive: true });
+  await linkAll(await packedPackage(), join(root, 'node_modules/deciwatch-web'));
   await writeFile(join(root, 'package.json'), '{ "private": true, "type": "module" }\n');
   for (const [name, from] of Object.entries(page.files ?? {})) {
     await cp(from, join(root, served, name));
