@@ -50,6 +50,7 @@ export default mergeConfig(
                 test: /\/web\/(errors|pose\/.*|sampling\/watched|estimators\/names)\.ts$/,
               },
               { name: 'pose-files', test: /\/web\/formats\// },
+              { name: 'estimators', test: /\/web\/estimators\// },
               { name: 'camera', test: /\/web\/sources\// },
               { name: 'engine', test: /\/web\/engine\// },
             ],

@@ -77,7 +77,10 @@ function exported(item: ApiItem, known: ReadonlySet<string>, text: string): stri
 }
 
 function proseOf(item: ApiItem, known: ReadonlySet<string>): Prose {
-  return prose(item instanceof ApiDocumentedItem ? item.tsdocComment : undefined, known);
+  const words = prose(item instanceof ApiDocumentedItem ? item.tsdocComment : undefined, known);
+  // What api-extractor says of every constructor that has no comment.
+  const isEmpty = words.text.startsWith('Constructs a new instance');
+  return isEmpty ? { ...words, text: '' } : words;
 }
 
 /** Parameters, result and errors, a line each. */
@@ -119,11 +122,10 @@ function declared(item: ApiItem): string {
 function membersOf(item: ApiItem, text: string): ApiItem[] {
   if (!ApiItemContainerMixin.isBaseClassOf(item)) return [];
   const start = text.search(new RegExp(`\\b(interface|class) ${item.displayName}\\b`));
-  const shown = item.members.filter((member) => {
-    const isFirst = !ApiParameterListMixin.isBaseClassOf(member) || member.overloadIndex <= 1;
-    return isFirst && member.kind !== ApiItemKind.Constructor;
-  });
-  return inOrder(shown, text, start);
+  const first = item.members.filter(
+    (member) => !ApiParameterListMixin.isBaseClassOf(member) || member.overloadIndex <= 1,
+  );
+  return inOrder(first, text, start);
 }
 
 /** In the order in which they are written from a place in the declarations' text on. */

@@ -12,6 +12,7 @@ export type DeciWatchErrorCode =
   | 'model-missing'
   | 'model-mismatch'
   | 'nobody-in-view'
+  | 'estimator-failed'
   | 'camera-refused'
   | 'camera-missing'
   | 'camera-busy'

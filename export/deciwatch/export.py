@@ -28,6 +28,7 @@ def run(args: argparse.Namespace) -> int:
     """Export, check against torch, write. Nothing is written if the check fails."""
     from deciwatch import checkpoint, manifest
     from deciwatch.atomic import write_bytes
+    from deciwatch.compact import compact
     from deciwatch.errors import UserError
     from deciwatch.onnx_export import (
         TOLERANCE,
@@ -36,15 +37,17 @@ def run(args: argparse.Namespace) -> int:
         forecast_difference,
         largest_difference,
     )
+    from deciwatch.storage import round_weights
 
     path = Path(args.checkpoint or checkpoint.default_path(args.dims))
     pair, content = checkpoint.load_pair(path, args.dims)
     forecast = _forecast(args, path)
-    graphs = convert(pair)
+    # `content` keeps the trained weights: those are committed, and training goes on from them.
+    graphs = {kind: compact(graph) for kind, graph in convert(round_weights(pair)).items()}
     worst = largest_difference(pair, graphs)
     if forecast:
-        net = forecast[0]
-        graphs[manifest.FORECAST] = convert_forecast(net)
+        net = round_weights(forecast[0])
+        graphs[manifest.FORECAST] = compact(convert_forecast(net))
         worst = max(worst, forecast_difference(net, graphs[manifest.FORECAST]))
     if not worst <= TOLERANCE:
         raise UserError(

@@ -34,7 +34,8 @@ def small_pair(config: PairConfig, seed: int) -> Pair:
 
 
 def write_models(folder: Path, seed: int) -> None:
-    """The pairs' ONNX files and their manifest, as `deciwatch export` writes them."""
+    """The pairs' ONNX files and their manifest, as `deciwatch export` writes them but for weights
+    in plain float32: the web is to run both."""
     (folder / "manifest.json").unlink(missing_ok=True)
     for config in CONFIGS:
         for kind, graph in convert(small_pair(config, seed)).items():

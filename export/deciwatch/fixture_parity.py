@@ -11,6 +11,7 @@ from deciwatch.nets.forecast import ForecastNet
 from deciwatch.nets.pair import Pair
 from deciwatch.normalise import Samples, sampled_values
 from deciwatch.skeleton import INDEX, KEYPOINTS, LANDMARKS, mid_hip
+from deciwatch.storage import round_weights
 
 # N, Q, and which samples are missing; the last is on uneven times, and holds times of no sample.
 CASES = (
@@ -73,9 +74,13 @@ def estimates(case: dict, rng: np.random.Generator) -> tuple[Samples, np.ndarray
 
 
 def parity_cases(path: Path, dims: int, seed: int) -> dict:
-    """Inputs and torch's outputs for CASES, in net values and time units, as flat arrays."""
-    pair, _ = checkpoint.load_pair(path, dims)
-    forecast, _ = checkpoint.load_forecast(checkpoint.forecast_path(dims), dims)
+    """Inputs and torch's outputs for CASES, in net values and time units, as flat arrays.
+
+    The nets' weights are rounded as `deciwatch export` rounds them.
+    """
+    pair = round_weights(checkpoint.load_pair(path, dims)[0])
+    forecast = checkpoint.load_forecast(checkpoint.forecast_path(dims), dims)[0]
+    forecast = round_weights(forecast)
     cases = [
         _parity_case(pair, forecast, np.random.default_rng(seed + i), case)
         for i, case in enumerate(CASES)

@@ -21,6 +21,7 @@ def run(args: argparse.Namespace) -> int:
     """Write every fixture; each is computed without the code that it checks."""
     from deciwatch.atomic import write_text
     from deciwatch.checkpoint import default_path
+    from deciwatch.fixture_estimators import write_estimators
     from deciwatch.fixture_inputs import input_cases, write_models
     from deciwatch.fixture_numbers import (
         easing_cases,
@@ -48,6 +49,7 @@ def run(args: argparse.Namespace) -> int:
     # Nothing is written before all that can fail for the user has not.
     write_models(folder / "models", SEED)
     write_official(folder / "official", SEED)
+    write_estimators(folder / "onnx-estimators")
     for name, content in contents.items():
         write_text(folder / name, json.dumps(content, separators=(",", ":")) + "\n")
         print(f"{folder / name}: {(folder / name).stat().st_size / 1000:.0f} kB")

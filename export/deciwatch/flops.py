@@ -12,9 +12,17 @@ from pathlib import Path
 import numpy as np
 import onnx
 import onnxruntime
+from onnx import TensorProto
+
+from deciwatch.compact import sources
 
 COUNTED = ("Conv", "MatMul", "Gemm")
 WEIGHTED = (*COUNTED, "Add", "LayerNormalization")
+STORED = {
+    TensorProto.INT8: "int8",
+    TensorProto.FLOAT16: "float16",
+    TensorProto.FLOAT: "float32",
+}
 TERMS = ("1", "S", "SS", "T", "ST", "TT")
 # Six places fix the six terms, the others prove them.
 FIT = ((2, 5), (3, 7), (5, 9), (4, 16), (7, 3), (6, 11))
@@ -43,7 +51,8 @@ class GraphCounter:
         self.model = onnx.load(path)
         graph = self.model.graph
         self.nodes = [node for node in graph.node if node.op_type in COUNTED]
-        self.fixed = {weight.name: tuple(weight.dims) for weight in graph.initializer}
+        self.sources = sources(graph)
+        self.fixed = {name: tuple(weight.dims) for name, weight in self.sources.items()}
         self.known = {name for value in graph.input for name in [value.name]}
         wanted = {name for node in self.nodes for name in (*node.input[:2], *node.output)}
         self.seen = sorted(wanted - self.fixed.keys() - self.known)
@@ -84,17 +93,22 @@ class GraphCounter:
 
     def parameters(self) -> int:
         """Trained numbers in the graph: weights of products, biases and normalisations."""
+        return sum(self.stored().values())
+
+    def stored(self) -> dict[str, int]:
+        """How many of the parameters the file holds as int8, float16 and float32."""
         used = {
             name
             for node in self.model.graph.node
             if node.op_type in WEIGHTED
             for name in node.input
         }
-        return sum(
-            math.prod(weight.dims)
-            for weight in self.model.graph.initializer
-            if weight.name in used and weight.dims and not _picks(weight)
-        )
+        counted = dict.fromkeys(STORED.values(), 0)
+        for name in used & self.sources.keys():
+            weight = self.sources[name]
+            if weight.dims and not _picks(weight):
+                counted[STORED[weight.data_type]] += math.prod(weight.dims)
+        return {kind: count for kind, count in counted.items() if count}
 
 
 def _picks(weight: onnx.TensorProto) -> bool:

@@ -24,13 +24,14 @@ def file_name(dims: int, kind: str) -> str:
 
 
 def describe_net(path: Path) -> dict:
-    """File, size, hash, parameters and FLOPs of one net, all from the file."""
+    """File, size, hash, parameters, how they are stored, and FLOPs of one net, from the file."""
     content, counter = path.read_bytes(), GraphCounter(path)
     return {
         "file": path.name,
         "bytes": len(content),
         "sha256": hashlib.sha256(content).hexdigest(),
         "parameters": counter.parameters(),
+        "stored": counter.stored(),
         "flops": counter.polynomial(),
     }
 

@@ -25,9 +25,14 @@ function options(more: Partial<RecoverOptions> = {}): RecoverOptions {
   return { every: 10, estimator: 'lite', ...more };
 }
 
-async function recover(name: string, more: Partial<RecoverOptions> = {}): Promise<RecoveredClip> {
+/** The engine's own estimators give 3D. */
+type SpatialClip = RecoveredClip & { readonly poses3d: PoseSequence };
+
+async function recover(name: string, more: Partial<RecoverOptions> = {}): Promise<SpatialClip> {
   const file = name === 'walk.mp4' ? await walk() : await fixture(name);
-  return engine.recover(file, name, options(more));
+  const clip = await engine.recover(file, name, options(more));
+  expect(clip.poses3d).not.toBeNull();
+  return clip as SpatialClip;
 }
 
 function frames(flags: ArrayLike<number>): number[] {
@@ -41,7 +46,7 @@ function joint(sequence: PoseSequence, frame: number, index: number): number[] {
 
 describe('the sample, N = 10', () => {
   const progress: RecoverProgress[] = [];
-  let clip: RecoveredClip;
+  let clip: SpatialClip;
   beforeAll(async () => {
     clip = await recover('walk.mp4', { onProgress: (step) => progress.push(step) });
   });

@@ -1,7 +1,7 @@
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import { fetchListed } from '../../web/download.ts';
 import { engineFiles } from '../../web/engine/files.ts';
-import type { PoseEstimate, PoseEstimator } from '../../web/estimators/estimator.ts';
+import type { SpatialEstimate } from '../../web/estimators/estimator.ts';
 import { fetchEstimatorManifest } from '../../web/estimators/manifest.ts';
 import { MediaPipeEstimator } from '../../web/estimators/mediapipe.ts';
 import { openFile } from '../../web/sources/file.ts';
@@ -13,7 +13,7 @@ const LEFT_HIP = 23;
 const RIGHT_HIP = 24;
 const LEFT_HEEL = 29;
 
-let estimator: PoseEstimator;
+let estimator: MediaPipeEstimator;
 beforeAll(async () => {
   const { estimators } = await fetchEstimatorManifest(BUNDLES);
   const bundle = await fetchListed(BUNDLES, estimators.lite);
@@ -22,11 +22,11 @@ beforeAll(async () => {
 });
 afterAll(() => estimator.close());
 
-async function estimateFrame(file: Blob, wanted: number): Promise<PoseEstimate | null> {
+async function estimateFrame(file: Blob, wanted: number): Promise<SpatialEstimate | null> {
   const clip = await openFile(file, 'clip');
   try {
-    for await (const { image, time } of clip.frames([wanted])) {
-      return await estimator.estimate(image, time * 1000);
+    for await (const { image } of clip.frames([wanted])) {
+      return await estimator.estimate(image);
     }
     throw new Error('no frame');
   } finally {

@@ -1,3 +1,4 @@
+import * as ort from 'onnxruntime-web/wasm';
 import clips from '../fixtures/clips.json';
 
 /** What `clips.json` says of a test clip, measured when it was made. */
@@ -25,6 +26,13 @@ export function fixture(name: string): Promise<Blob> {
 /** The bundled sample: one person who walks. */
 export function walk(): Promise<Blob> {
   return fetchBlob('/samples/walk.mp4');
+}
+
+/** A session of one of the two models that find colours, which `fixture_estimators.py` wrote. */
+export async function colourSession(kind: 'heatmap' | 'simcc'): Promise<ort.InferenceSession> {
+  const blob = await fetchBlob(`/tests/fixtures/onnx-estimators/${kind}.onnx`);
+  const model = new Uint8Array(await blob.arrayBuffer());
+  return ort.InferenceSession.create(model, { executionProviders: ['wasm'] });
 }
 
 async function fetchBlob(url: string | URL): Promise<Blob> {

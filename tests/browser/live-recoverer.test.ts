@@ -1,6 +1,6 @@
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { engineFiles } from '../../web/engine/files.ts';
-import type { PoseEstimate } from '../../web/estimators/estimator.ts';
+import type { SpatialEstimate } from '../../web/estimators/estimator.ts';
 import { type LiveChunk, LiveRecoverer } from '../../web/recovery/live-recoverer.ts';
 import { Recoverer } from '../../web/recovery/recoverer.ts';
 import inputs from '../fixtures/inputs.json';
@@ -16,7 +16,7 @@ beforeAll(async () => {
 afterAll(() => recoverer.dispose());
 
 /** A made-up walker as an estimator sees them, from the fixtures; over and over. */
-function estimate(i: number): PoseEstimate {
+function estimate(i: number): SpatialEstimate {
   const one = inputs.cases[0]!;
   const count = one.sampleTimes.length;
   const part = (values: readonly number[]) => {

@@ -187,7 +187,7 @@ test('a recording is recovered like a file', async () => {
   expect([...poses2d.times].every((time, i, all) => i === 0 || time > all[i - 1]!)).toBe(true);
   expect(poses2d.watched[0]).toBe(1);
   for (let frame = 0; frame < source.frameCount; frame++) {
-    expect(hasPose(poses2d, frame) && hasPose(poses3d, frame)).toBe(true);
+    expect(hasPose(poses2d, frame) && hasPose(poses3d!, frame)).toBe(true);
   }
   expect(clip.cost.estimatorCalls).toBe(poses2d.watched.reduce((sum, flag) => sum + flag, 0));
 });

@@ -86,7 +86,7 @@ test('uneven frame times are kept, and a whole job leaves no frame open', async 
   const clip = await openFile(await fixture('vfr.mp4'), 'vfr.mp4');
   const { poses2d, poses3d } = await run(clip, 10, new FakeEstimator());
   clip.close();
-  expect(poses3d.times).toEqual(clip.times);
+  expect(poses3d!.times).toEqual(clip.times);
   expect(poses2d.values.every(Number.isFinite)).toBe(true);
   expect(poses2d.scores.every((score) => score === 0.5)).toBe(true);
   expect(openFrames.count).toBe(0);
@@ -97,8 +97,8 @@ test('two frames are enough', async () => {
   const { poses3d, cost } = await run(clip, 10, new FakeEstimator());
   clip.close();
   expect(cost.estimatorCalls).toBe(2);
-  expect(Array.from(poses3d.watched)).toEqual([1, 1]);
-  expect(poses3d.values.every(Number.isFinite)).toBe(true);
+  expect(Array.from(poses3d!.watched)).toEqual([1, 1]);
+  expect(poses3d!.values.every(Number.isFinite)).toBe(true);
 });
 
 test('so is one', async () => {

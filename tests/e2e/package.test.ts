@@ -88,6 +88,14 @@ describe('the package recovers a clip', () => {
   });
 });
 
+test('the player is there, although all it does is a side effect', async () => {
+  const script = `
+    import 'deciwatch-web/player';
+    document.title = JSON.stringify({ registered: !!customElements.get('deciwatch-player') });`;
+  const site = await freshViteProject({ script }, 'build');
+  expect(await outcome(site)).toEqual({ registered: true, complaints: [] });
+});
+
 describe('what a bundler makes of a part of it', () => {
   /** A built page's files under `assets/`, with the bytes of its code. */
   async function built(entry: string) {

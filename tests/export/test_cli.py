@@ -108,14 +108,13 @@ def test_deciwatch_is_ahead_of_every_interpolation(capsys, tmp_path, data):
         assert "deciwatch" in capsys.readouterr().out
 
 
-def test_a_checkpoint_and_its_exported_graphs_score_the_same(tmp_path, data):
+def test_a_rounded_checkpoint_and_its_exported_graphs_score_the_same(
+    tmp_path, data, rounded_checkpoint
+):
     scores = []
-    for source in ([], ["--checkpoint", "export/checkpoints/3d.pt"]):
+    for source in ([], ["--checkpoint", str(rounded_checkpoint(3))]):
         file = tmp_path / "rows.json"
         options = ["--split", "val", "--every", "5", "--window", "4", "--json", str(file)]
-        from deciwatch.paths import REPOSITORY
-
-        source = [str(REPOSITORY / part) if part.endswith(".pt") else part for part in source]
         assert main(["evaluate", "--data", str(data), *options, *source]) == 0
         scores.append([row["mpjpe_mm"] for row in json.loads(file.read_text())["rows"]])
     np.testing.assert_allclose(scores[0], scores[1], atol=1e-3)

@@ -112,9 +112,8 @@ def test_one_window_is_what_the_runner_makes_of_it():
     assert np.isnan(poses["3d"][101:]).all() and list(poses) == ["3d"]
 
 
-def test_batches_give_what_single_windows_give():
-    path = checkpoint.default_path(2)
-    batched, single = from_checkpoint(path, 2), from_models(MODELS, 2)
+def test_batches_give_what_single_windows_give(rounded_checkpoint):
+    batched, single = from_checkpoint(rounded_checkpoint(2), 2), from_models(MODELS, 2)
     assert batched.batch > 1 and single.batch == 1
     both = [
         run_method(pair_file(), [0, 1], recovered({"2d": x}), 2, 10)[0] for x in (batched, single)

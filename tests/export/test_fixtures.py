@@ -3,8 +3,10 @@
 import json
 
 import numpy as np
+import onnxruntime
 import pytest
 
+from deciwatch.fixture_estimators import HEIGHT, MODELS, SPLIT, STRIDE, WIDTH
 from deciwatch.fixture_numbers import interpolation_cases, metric_cases, normalise_cases
 from deciwatch.fixture_stitching import stitching_cases
 from deciwatch.interpolate import interpolate
@@ -55,3 +57,22 @@ def test_the_committed_numbers_can_be_made_again():
     made |= {"metrics": metric_cases(5), "stitching": stitching_cases(5)}
     for name, content in made.items():
         assert json.loads(json.dumps(content)) == read(name)
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_the_estimators_find_colours(name):
+    """The committed models, and those made now, on a picture with one spot of each colour."""
+    places = ((12, 20), (30, 40), (36, 8))
+    rows, columns = np.mgrid[:HEIGHT, :WIDTH]
+    spots = [np.hypot(columns - x, rows - y) <= 4 for x, y in places]
+    picture = np.stack(spots)[None].astype(np.float32)
+    for model in ((FIXTURES / "onnx-estimators" / name).read_bytes(), MODELS[name]()):
+        outputs = onnxruntime.InferenceSession(model).run(None, {"input": picture})
+        for k, (x, y) in enumerate(places):
+            if name == "heatmap.onnx":
+                cell = np.unravel_index(outputs[0][0, k].argmax(), outputs[0].shape[2:])
+                assert (cell[1] * STRIDE, cell[0] * STRIDE) == pytest.approx((x, y), abs=STRIDE / 2)
+            else:
+                bins = [axis[0, k].argmax() / SPLIT for axis in outputs]
+                assert bins == pytest.approx([x, y], abs=1 / SPLIT)
+            assert all(0.4 < axis[0, k].max() < 1.5 for axis in outputs)

@@ -26,6 +26,7 @@ from deciwatch.normalise import Samples, sampled_values
 from deciwatch.onnx_export import TOLERANCE, convert, largest_difference, session
 from deciwatch.paths import FIXTURES, MODELS
 from deciwatch.runner import onnx_nets, recover_window
+from deciwatch.storage import round_weights
 
 SMALL = FIXTURES / "models"
 
@@ -44,12 +45,17 @@ def exported(folder: Path, pair: Pair) -> Exported:
     return Exported(pair, entry, {kind: folder / entry[kind]["file"] for kind in manifest.KINDS})
 
 
+def shipped(dims: int) -> Pair:
+    """The committed checkpoint, rounded as it is exported."""
+    return round_weights(checkpoint.load_pair(checkpoint.default_path(dims), dims)[0])
+
+
 @pytest.fixture(scope="module", params=["shipped-3d", "shipped-2d", "small-3d", "small-2d"])
 def nets(request):
     which, dims = request.param.removesuffix("d").split("-")
     if which == "small":
         return exported(SMALL, small_pair(next(c for c in CONFIGS if c.dims == int(dims)), SEED))
-    return exported(MODELS, checkpoint.load_pair(checkpoint.default_path(int(dims)), int(dims))[0])
+    return exported(MODELS, shipped(int(dims)))
 
 
 def test_the_committed_graphs_equal_the_committed_checkpoint(nets):
@@ -71,6 +77,7 @@ def test_the_manifest_describes_the_committed_files(nets):
         assert entry[kind]["sha256"] == hashlib.sha256(content).hexdigest()
         counter = GraphCounter(path)
         assert entry[kind]["parameters"] == counter.parameters()
+        assert entry[kind]["stored"] == counter.stored()
         total += counter.parameters()
         for place in ((2, 2), (3, 41), (11, 101), (12, 240)):
             assert evaluate(entry[kind]["flops"], *place) == counter.count(*place)
@@ -137,7 +144,7 @@ def test_names_of_inputs_and_outputs(nets):
 
 @pytest.mark.parametrize("dims", [3, 2])
 def test_parity_fixtures_hold_for_torch_and_onnx(dims):
-    pair = checkpoint.load_pair(checkpoint.default_path(dims), dims)[0]
+    pair = shipped(dims)
     graphs = {k: session(path) for k, path in exported(MODELS, pair).paths.items()}
     fixture = json.loads((FIXTURES / f"parity-{dims}d.json").read_text())
     assert {case["name"] for case in fixture["cases"]} >= {"N10-Q3", "N1-Q2", "N20-Q2", "uneven"}

@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
-import { compareMs, costHeadline } from '../../web/app/cost-words.ts';
 import { pickVideo } from '../../web/app/dropped-file.ts';
 import { pageState } from '../../web/app/page-state.ts';
 import type { CostReport } from '../../web/cost/report.ts';
+import { compareMs, costHeadline } from '../../web/player/parts/cost-words.ts';
 import {
   formatFlops,
   formatMs,
@@ -59,6 +59,17 @@ describe('figures in words', () => {
   test('the headline says how many times less, and does not boast where nothing was saved', () => {
     expect(costHeadline(cost).sentence).toContain('8.3× less');
     expect(costHeadline({ ...cost, flopsRatio: 1.003 }).sentence).not.toContain('less');
+  });
+
+  test('where the FLOPs of a look are not known, the headline says how often it looked', () => {
+    const { figure, sentence } = costHeadline({ ...cost, flopsRatio: null });
+    expect(plain(figure)).toBe('11 %');
+    expect(sentence).toContain('not known');
+  });
+
+  test('without nets, the bars name none', () => {
+    const { measured } = compareMs(cost, 'cubic');
+    expect(measured.map(({ name }) => name)).toEqual(['Decoding', 'Estimator', 'Spline']);
   });
 
   test('the bar for every frame is decoding and one estimator call', () => {

@@ -69,3 +69,13 @@ it('reports no time for calls that were not made', () => {
   expect(report.msPerEstimatorCall).toBe(0);
   expect(report.flopsPerFrame.total).toBe(0);
 });
+
+it('has no ratio where the FLOPs of a look are not known, and nothing that is no number', () => {
+  const meter = new CostMeter(0);
+  meter.addEstimatorCall(30);
+  meter.addRecover(5e6, 2);
+  const report = meter.report(10, 50);
+  expect(report.flopsRatio).toBeNull();
+  expect(report.everyFrameFlopsPerFrame).toBe(0);
+  expect(report.flopsPerFrame).toEqual({ estimator: 0, denoise: 0, recover: 5e5, total: 5e5 });
+});

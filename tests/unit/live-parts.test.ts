@@ -2,13 +2,13 @@ import { describe, expect, test } from 'vitest';
 import { LiveMeter } from '../../web/cost/live-meter.ts';
 import { isSomebody } from '../../web/engine/live/presence.ts';
 import { Recording } from '../../web/engine/live/recording.ts';
-import type { PoseEstimate } from '../../web/estimators/estimator.ts';
+import type { SpatialEstimate } from '../../web/estimators/estimator.ts';
 import { DrawGovernor } from '../../web/player/live/draw-governor.ts';
 import { loadWords } from '../../web/player/live/live-words.ts';
 import { cameraError, cameraLost, insecurePage } from '../../web/sources/camera-errors.ts';
 import { LiveStanding } from '../../web/stage/live-standing.ts';
 
-function estimate(scores: (k: number) => number): PoseEstimate {
+function estimate(scores: (k: number) => number): SpatialEstimate {
   return {
     keypoints2d: new Float32Array(66),
     keypoints3d: new Float32Array(99),

@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { Ajv2020 } from 'ajv/dist/2020.js';
 import type { InferOutput } from 'valibot';
 import { describe, expect, expectTypeOf, it } from 'vitest';
+import type { RecoveredClip } from '../../web/engine/types.ts';
 import { DeciWatchError } from '../../web/errors.ts';
 import {
   type PoseFile,
@@ -12,6 +13,7 @@ import {
   toPoseFile,
 } from '../../web/formats/pose-file.ts';
 import type { PoseFileSchema } from '../../web/formats/pose-file-schema.ts';
+import type { PoseSequence } from '../../web/pose/sequence.ts';
 import { pick, seededRandom } from './random.ts';
 import { recoveredClip } from './recovered-clip.ts';
 
@@ -38,6 +40,12 @@ function refusal(json: unknown): string {
   return 'accepted';
 }
 
+/** Poses that are there in 3D too. */
+function spatial<T extends { readonly poses3d: PoseSequence | null }>(poses: T) {
+  expect(poses.poses3d).not.toBeNull();
+  return { ...poses, poses3d: poses.poses3d! };
+}
+
 it('has a type that says all that the schema checks', () => {
   // The other direction is held where the schema is written.
   expectTypeOf<PoseFile>().toExtend<InferOutput<typeof PoseFileSchema>>();
@@ -61,15 +69,15 @@ describe('a written file', () => {
   });
 
   it('holds the poses to the decimals that the documentation names', () => {
-    const { poses2d, poses3d } = posesFromFile(parsePoseFile(JSON.parse(text)));
+    const { poses2d, poses3d } = spatial(posesFromFile(parsePoseFile(JSON.parse(text))));
     const apart = (a: ArrayLike<number>, b: ArrayLike<number>) =>
       Math.max(...Array.from(a, (value, i) => (Number.isNaN(value) ? 0 : Math.abs(value - b[i]!))));
     expect(apart(poses2d.values, clip.poses2d.values)).toBeLessThan(0.00504);
-    expect(apart(poses3d.values, clip.poses3d.values)).toBeLessThan(0.0000504);
+    expect(apart(poses3d.values, spatial(clip).poses3d.values)).toBeLessThan(0.0000504);
     expect(apart(poses2d.times, clip.poses2d.times)).toBeLessThan(0.0000005);
     expect(apart(poses2d.scores, clip.poses2d.scores)).toBeLessThan(0.000504);
     expect(poses2d.watched).toEqual(clip.poses2d.watched);
-    expect(poses3d.skeleton).toEqual(clip.poses3d.skeleton);
+    expect(poses3d.skeleton).toEqual(spatial(clip).poses3d.skeleton);
     expect([poses2d.dims, poses3d.dims]).toEqual([2, 3]);
     const unseen = (values: Float32Array, size: number) =>
       Array.from(clip.poses2d.times.keys()).filter((t) =>
@@ -89,6 +97,48 @@ describe('a written file', () => {
   });
 });
 
+describe('a file without 3D', () => {
+  const clip: RecoveredClip = {
+    ...recoveredClip(12, [0, 5]),
+    recovery: 'cubic',
+    poses3d: null,
+  };
+  const flat = () => JSON.parse(stringifyPoseFile(toPoseFile(clip)));
+
+  it('fits both schemas, says what recovered it, and comes back without 3D', () => {
+    expect(fitsJsonSchema(flat()), JSON.stringify(fitsJsonSchema.errors)).toBe(true);
+    const file = parsePoseFile(flat());
+    expect(file).toEqual(toPoseFile(clip));
+    expect(file.recovery).toBe('cubic');
+    const { poses2d, poses3d } = posesFromFile(file);
+    expect(poses3d).toBeNull();
+    expect(poses2d.values[66]).toBeCloseTo(clip.poses2d.values[66]!, 1);
+    expect(poses2d.values[0]).toBeNaN();
+  });
+
+  it('has none in any frame', () => {
+    const some = flat();
+    some.frames[7].keypoints3d = some.frames[7].keypoints2d.map(() => [0, 0, 0]);
+    expect(refusal(some)).toContain(
+      'At frames[7].keypoints3d, the file should have null, as in the frames before',
+    );
+    const none = spoiled((f) => Object.assign(f.frames[7]!, { keypoints3d: null }));
+    expect(refusal(none)).toContain('At frames[7].keypoints3d, the file should have a list');
+  });
+
+  it('may have no ratio of FLOPs', () => {
+    const unknown = { ...flat(), cost: { ...clip.cost, flopsRatio: null } };
+    expect(fitsJsonSchema(unknown)).toBe(true);
+    expect(parsePoseFile(unknown).cost.flopsRatio).toBeNull();
+  });
+});
+
+it('is read also where it is older than the choice of a recovery', () => {
+  const old = spoiled((f) => Reflect.deleteProperty(f, 'recovery'));
+  expect(fitsJsonSchema(old)).toBe(true);
+  expect(parsePoseFile(old).recovery).toBeUndefined();
+});
+
 it("accepts the documentation's example", () => {
   const page = readFileSync(new URL('pose-file.md', docs), 'utf8');
   const example = JSON.parse(/```json\n([\s\S]*?)```/.exec(page)![1]!);
@@ -105,6 +155,7 @@ describe('a broken file', () => {
     ['skeleton.joints', (f) => Object.assign(f.skeleton, { joints: [] })],
     ['skeleton.bones[2]', (f) => Object.assign(f.skeleton.bones, { 2: [1, 2, 3] })],
     ['interval', (f) => Object.assign(f, { interval: 2.5 })],
+    ['recovery', (f) => Object.assign(f, { recovery: 'magic' })],
     ['estimator', (f) => Reflect.deleteProperty(f, 'estimator')],
     ['cost.msPerFrame.decode', (f) => Reflect.deleteProperty(f.cost.msPerFrame, 'decode')],
     ['frames', (f) => Object.assign(f, { frames: [] })],

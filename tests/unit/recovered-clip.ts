@@ -31,6 +31,7 @@ export function recoveredClip(frames: number, unseen: readonly number[] = []): R
     },
     interval: 10,
     estimator: { name: 'full', flops: 1.563e9 },
+    recovery: 'nets',
     poses2d: sequence(2, 900),
     poses3d: sequence(3, 2),
     cost: meter.report(frames, 1234.5),

@@ -1,7 +1,7 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import type { RecoveredClip } from '../engine/types.ts';
+import { costHeadline } from '../player/parts/cost-words.ts';
 import { formatCount } from '../player/parts/format.ts';
-import { costHeadline } from './cost-words.ts';
 import { pickVideo } from './dropped-file.ts';
 import type { PageEngine } from './page-engine.ts';
 import { type ClipFile, type Job, RecoverJob } from './recover-job.ts';

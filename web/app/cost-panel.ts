@@ -1,8 +1,9 @@
-import { css, html, LitElement, type PropertyValues } from 'lit';
+import { css, html, LitElement, nothing, type PropertyValues } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import type { RecoveredClip } from '../engine/types.ts';
+import { ESTIMATOR_NAMES } from '../estimators/names.ts';
+import { compareMs, costHeadline } from '../player/parts/cost-words.ts';
 import { formatCount, formatFlops, formatSeconds } from '../player/parts/format.ts';
-import { compareMs, costHeadline } from './cost-words.ts';
 import { type CumulativeFlops, cumulativeFlops } from './cumulative-cost.ts';
 import './ms-bars.ts';
 import { sharedStyles } from '../player/parts/styles.ts';
@@ -61,19 +62,27 @@ export class CostPanel extends LitElement {
             <span class="figure numbers">${figure}</span>
             <span class="sentence">${sentence}</span>
           </p>
-          ${this.renderLive(upTo)}
+          ${cost.flopsRatio === null ? nothing : this.renderLive(upTo)}
         </div>
-        <dw-ms-bars .comparison=${compareMs(cost)}></dw-ms-bars>
+        <dw-ms-bars .comparison=${compareMs(cost, clip.recovery)}></dw-ms-bars>
       </div>
       <dl class="numbers">
         ${this.fact('Looks by the estimator', formatCount(cost.estimatorCalls), `for ${formatCount(cost.frames)} frames`)}
-        ${this.fact('FLOPs for one frame', formatFlops(cost.flopsPerFrame.total), `instead of ${formatFlops(cost.everyFrameFlopsPerFrame)}`)}
+        ${
+          cost.flopsRatio === null
+            ? nothing
+            : this.fact(
+                'FLOPs for one frame',
+                formatFlops(cost.flopsPerFrame.total),
+                `instead of ${formatFlops(cost.everyFrameFlopsPerFrame)}`,
+              )
+        }
         ${this.fact('Time for the whole clip', formatSeconds(cost.wallMs / 1000), `for ${formatSeconds(clip.source.duration)} of video`)}
       </dl>
       <p class="honest">
         FLOPs are 2 × multiply-accumulates, counted from the nets’ own graphs. Milliseconds were measured
-        here, on this device, for this clip. “Every frame” means the same MediaPipe call, detector and
-        landmarks, on each frame.
+        here, on this device, for this clip. “Every frame” means ${callWords(clip.estimator.name)},
+        on each frame.
       </p>
     </div>`;
   }
@@ -101,6 +110,13 @@ export class CostPanel extends LitElement {
       </div>
     `;
   }
+}
+
+function callWords(estimator: string): string {
+  const isOurs = ESTIMATOR_NAMES.some((name) => name === estimator);
+  return isOurs
+    ? 'the same MediaPipe call, detector and landmarks'
+    : 'the same call of the estimator';
 }
 
 declare global {

@@ -152,11 +152,16 @@ export class DeciWatchApp extends LitElement {
             @picture=${(event: CustomEvent<number>) => {
               this.aspect = event.detail;
             }}
+            @toggle=${() => this.view?.playback?.toggle()}
             @unplayable=${() => desk.cannotPlay()}
           ></dw-clip-view>
         </div>
         <div class="pane ${job && clip ? 'dimmed' : ''}">
-          <dw-stage-view .sequence=${clip?.poses3d ?? null} .frame=${frame}></dw-stage-view>
+          <dw-stage-view
+            .sequence=${clip?.poses3d ?? null}
+            .flat=${clip !== null && clip.poses3d === null}
+            .frame=${frame}
+          ></dw-stage-view>
           ${this.renderWork()}
         </div>
       </div>

@@ -1,8 +1,8 @@
 import { css, html, LitElement } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
+import type { MsComparison, MsPart } from '../player/parts/cost-words.ts';
 import { formatMs } from '../player/parts/format.ts';
 import { sharedStyles } from '../player/parts/styles.ts';
-import type { MsComparison, MsPart } from './cost-words.ts';
 
 /** Two stacked bars on one scale: milliseconds per frame as measured, and as every frame watched. */
 @customElement('dw-ms-bars')

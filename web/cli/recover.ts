@@ -87,7 +87,8 @@ async function recoverOne(
 
 function summary(clip: string, output: string, text: string): string {
   const { cost } = parsePoseFile(JSON.parse(text));
-  const percent = (cost.flopsRatio * 100).toFixed(1);
+  // The estimators to choose from here all say their FLOPs.
+  const percent = ((cost.flopsRatio ?? 1) * 100).toFixed(1);
   return (
     `${basename(clip)}: ${cost.frames} frames, ${cost.estimatorCalls} watched, ` +
     `${percent} % of the FLOPs of watching every frame, ${(cost.wallMs / 1000).toFixed(1)} s` +

@@ -13,7 +13,7 @@ export class CostMeter {
   readonly #flops = { denoise: 0, recover: 0 };
   readonly #ms = { decode: 0, estimator: 0, denoise: 0, recover: 0 };
 
-  /** @param estimatorFlops f(E): FLOPs of one estimator call */
+  /** @param estimatorFlops f(E): FLOPs of one estimator call; 0 where they are not known */
   constructor(estimatorFlops: number) {
     this.#estimatorFlops = estimatorFlops;
   }
@@ -60,7 +60,7 @@ export class CostMeter {
       estimatorCalls: this.#estimatorCalls,
       flopsPerFrame,
       everyFrameFlopsPerFrame: everyFrame,
-      flopsRatio: flopsPerFrame.total / everyFrame,
+      flopsRatio: everyFrame > 0 ? flopsPerFrame.total / everyFrame : null,
       msPerFrame: { ...ms, decode, total: ms.total + decode },
       msPerEstimatorCall: this.#ms.estimator / Math.max(1, this.#estimatorCalls),
       wallMs,

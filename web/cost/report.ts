@@ -18,10 +18,10 @@ export interface CostReport {
   readonly estimatorCalls: number;
   /** Equation 5 of the paper: mean FLOPs for one frame of the clip. */
   readonly flopsPerFrame: CostParts;
-  /** FLOPs for one frame when the estimator watches every frame: f(E). */
+  /** FLOPs for one frame when the estimator watches every frame: f(E); 0 where they are not known. */
   readonly everyFrameFlopsPerFrame: number;
-  /** flopsPerFrame.total / everyFrameFlopsPerFrame. */
-  readonly flopsRatio: number;
+  /** flopsPerFrame.total / everyFrameFlopsPerFrame; null where the estimator's FLOPs are not known. */
+  readonly flopsRatio: number | null;
   /** Measured milliseconds for one frame of the clip; the total is of all four, decoding included. */
   readonly msPerFrame: CostParts & { readonly decode: number };
   /** The mean estimator call, in milliseconds: what watching one more frame would cost. */

@@ -1,7 +1,8 @@
 import * as Comlink from 'comlink';
 import { DeciWatchError } from '../errors.ts';
-import { ESTIMATOR_NAMES } from '../estimators/names.ts';
+import { ESTIMATOR_NAMES, type EstimatorName } from '../estimators/names.ts';
 import { checkInterval } from '../sampling/watched.ts';
+import { CallerEstimator } from './caller-estimator.ts';
 import { type EngineFiles, engineFiles } from './files.ts';
 import { WorkerLiveSession } from './live/session.ts';
 import type { LiveSession, LiveSettings } from './live/types.ts';
@@ -27,11 +28,18 @@ export function createEngine(options: EngineOptions = {}): Engine {
   return new WorkerEngine(engineFiles(options.models));
 }
 
-function checkEstimator(name: string): void {
+function checkEstimator(name: unknown): void {
   if (ESTIMATOR_NAMES.some((known) => known === name)) return;
+  if (typeof name === 'object' && name !== null) {
+    throw new DeciWatchError(
+      'bad-option',
+      `Live playback takes no estimator of your own; choose one of ${ESTIMATOR_NAMES.join(', ')}.`,
+    );
+  }
+  const given = typeof name === 'function' ? 'a function' : name;
   throw new DeciWatchError(
     'bad-option',
-    `The estimator is ${name}; choose one of ${ESTIMATOR_NAMES.join(', ')}.`,
+    `The estimator is ${given}; choose one of ${ESTIMATOR_NAMES.join(', ')}.`,
   );
 }
 
@@ -53,7 +61,7 @@ interface Running {
 
 class WorkerEngine implements Engine {
   #running: Running | undefined;
-  #live: LiveSession | undefined;
+  #live: WorkerLiveSession | undefined;
   #lastJob: Promise<unknown> = Promise.resolve();
   readonly #closing = new AbortController();
 
@@ -61,11 +69,13 @@ class WorkerEngine implements Engine {
 
   async recover(file: Blob, name: string, options: RecoverOptions): Promise<RecoveredClip> {
     checkInterval(options.every);
-    checkEstimator(options.estimator);
+    if (typeof options.estimator !== 'object') checkEstimator(options.estimator);
     const signals = [this.#closing.signal, ...(options.signal ? [options.signal] : [])];
     const signal = AbortSignal.any(signals);
     signal.throwIfAborted();
-    const job = this.#lastJob.then(() => this.#run(file, name, options, signal));
+    const caller =
+      typeof options.estimator === 'object' ? new CallerEstimator(options.estimator, signal) : null;
+    const job = this.#lastJob.then(() => this.#run(file, name, options, caller, signal));
     this.#lastJob = job.catch(() => {});
     return untilAborted(job, signal);
   }
@@ -74,7 +84,12 @@ class WorkerEngine implements Engine {
     checkInterval(settings.every);
     checkEstimator(settings.estimator);
     this.#closing.signal.throwIfAborted();
-    this.#live?.close();
+    this.#live?.end(
+      new DeciWatchError(
+        'camera-busy',
+        'The camera is followed elsewhere on this page now: start it here again to have it back.',
+      ),
+    );
     this.#running ??= start();
     const { remote, life } = this.#running;
     const session = new WorkerLiveSession(
@@ -106,6 +121,7 @@ class WorkerEngine implements Engine {
     file: Blob,
     name: string,
     { every, estimator, onProgress }: RecoverOptions,
+    caller: CallerEstimator | null,
     signal: AbortSignal,
   ): Promise<RecoveredClip> {
     signal.throwIfAborted();
@@ -116,10 +132,16 @@ class WorkerEngine implements Engine {
     const tell = Comlink.proxy((progress: RecoverProgress) => {
       if (!signal.aborted) tellSafely(onProgress, progress);
     });
+    const look = caller && Comlink.proxy(caller.look);
     try {
-      const job = { file, name, every, estimator, files: this.files };
-      return unwrap(await life.whileAlive(remote.recover(job, tell)), signal);
+      const chosen = caller ? caller.message : (estimator as EstimatorName);
+      const job = { file, name, every, estimator: chosen, files: this.files };
+      return unwrap(await life.whileAlive(remote.recover(job, tell, look)), signal);
     } catch (error) {
+      // The one that was made here knows its cause.
+      if (caller?.failure && error instanceof DeciWatchError && error.code === 'estimator-failed') {
+        throw caller.failure;
+      }
       if (error instanceof DeciWatchError && error.code === 'engine-crashed') this.#stop();
       throw error;
     } finally {

@@ -1,4 +1,5 @@
 import type { DeciWatchErrorCode } from '../errors.ts';
+import type { PoseEstimate, PoseEstimator } from '../estimators/estimator.ts';
 import type { EstimatorName } from '../estimators/names.ts';
 import type { EngineFiles } from './files.ts';
 import type {
@@ -15,9 +16,21 @@ export interface JobMessage {
   readonly file: Blob;
   readonly name: string;
   readonly every: number;
-  readonly estimator: EstimatorName;
+  /** One of the engine's own, or one of the caller's, which is reached by a {@link Look}. */
+  readonly estimator: EstimatorName | CallerEstimatorMessage;
   readonly files: EngineFiles;
 }
+
+/** An estimator of the caller's, in plain values. */
+export type CallerEstimatorMessage = Pick<PoseEstimator, 'name' | 'flops' | 'skeleton'>;
+
+/** What the caller's estimator made of a frame. */
+export type LookAnswer =
+  | { readonly kind: 'seen'; readonly estimate: PoseEstimate | null }
+  | { readonly kind: 'failed'; readonly message: string };
+
+/** The caller's estimator, which the worker calls from afar. Closes the image. Never rejects. */
+export type Look = (image: ImageBitmap, timeMs: number) => Promise<LookAnswer>;
 
 /**
  * How a job ended. Said in a value, since an error that crosses from a worker keeps its message alone.
@@ -34,8 +47,11 @@ export type ProgressListener = (progress: RecoverProgress) => void | Promise<voi
 
 /** What the worker offers, by Comlink. One job at a time. */
 export interface EngineWorker {
-  /** Never rejects. The last call of `onProgress` is waited for. */
-  recover(job: JobMessage, onProgress: ProgressListener): Promise<Outcome>;
+  /**
+   * Never rejects. The last call of `onProgress` is waited for.
+   * @param look there where the job's estimator is the caller's
+   */
+  recover(job: JobMessage, onProgress: ProgressListener, look: Look | null): Promise<Outcome>;
   /** Ends the job that is under way, if any. */
   abort(): void;
   /** Loads what live playback needs. This and the next two never reject. */

@@ -1,5 +1,4 @@
 import { fetchListed } from '../download.ts';
-import type { PoseEstimator } from '../estimators/estimator.ts';
 import { fetchEstimatorManifest } from '../estimators/manifest.ts';
 import { MediaPipeEstimator } from '../estimators/mediapipe.ts';
 import type { EstimatorName } from '../estimators/names.ts';
@@ -16,7 +15,7 @@ const WARM_UP_PX = 64;
  */
 export class Models {
   #recoverer: Recoverer | undefined;
-  #estimator: PoseEstimator | undefined;
+  #estimator: MediaPipeEstimator | undefined;
 
   constructor(private readonly files: EngineFiles) {
     setRuntimeFiles(files.runtime);
@@ -32,7 +31,7 @@ export class Models {
    * Closes the estimator in use when another one is asked for. Its bundle is fetched only now.
    * @throws DeciWatchError `model-missing` or `model-mismatch`
    */
-  async estimator(name: EstimatorName, signal: AbortSignal): Promise<PoseEstimator> {
+  async estimator(name: EstimatorName, signal: AbortSignal): Promise<MediaPipeEstimator> {
     if (this.#estimator?.name === name) return this.#estimator;
     const set = this.files.estimators;
     const { estimators } = await fetchEstimatorManifest(set, signal);

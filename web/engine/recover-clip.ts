@@ -2,8 +2,9 @@ import { netFlops } from '../cost/flops.ts';
 import { CostMeter } from '../cost/meter.ts';
 import { DeciWatchError } from '../errors.ts';
 import type { PoseEstimator } from '../estimators/estimator.ts';
+import { recoverCubic } from '../recovery/cubic.ts';
 import type { Recoverer } from '../recovery/recoverer.ts';
-import type { SeenSample } from '../recovery/watched-clip.ts';
+import type { SeenSample, SpatialSample, WatchedClip } from '../recovery/watched-clip.ts';
 import { watchedFrames } from '../sampling/watched.ts';
 import type { Clip } from '../sources/clip.ts';
 import { nextTask } from './next-task.ts';
@@ -15,7 +16,8 @@ export interface RecoverJob {
   /** Stays the caller's to close, as do the other two. */
   readonly clip: Clip;
   readonly estimator: PoseEstimator;
-  readonly recoverer: Recoverer;
+  /** Null where the estimator's skeleton is not the nets'. */
+  readonly recoverer: Recoverer | null;
   /** N. */
   readonly every: number;
   readonly progress: ProgressReporter;
@@ -29,7 +31,7 @@ export interface RecoverJob {
  * @throws DeciWatchError; the signal's reason when aborted
  */
 export async function recoverClip(job: RecoverJob): Promise<RecoveredClip> {
-  const { clip, estimator, recoverer, every, progress, signal } = job;
+  const { clip, estimator, every } = job;
   const { frameCount } = clip.info;
   const meter = new CostMeter(estimator.flops);
   const start = performance.now();
@@ -42,8 +44,35 @@ export async function recoverClip(job: RecoverJob): Promise<RecoveredClip> {
         'choose a clip with one person in full view, or a more accurate estimator.',
     );
   }
+  const recovered = await recover(job, { times: clip.times, watched, seen, every }, meter);
+  return {
+    source: clip.info,
+    interval: every,
+    estimator: { name: estimator.name, flops: estimator.flops },
+    ...recovered,
+    cost: meter.report(frameCount, performance.now() - start),
+  };
+}
+
+/** The frames between: by the nets where they can take the samples, otherwise by a spline through them. */
+async function recover(
+  { clip, estimator, recoverer, progress, signal }: RecoverJob,
+  watched: WatchedClip,
+  meter: CostMeter,
+): Promise<Pick<RecoveredClip, 'recovery' | 'poses2d' | 'poses3d'>> {
+  const { frameCount } = clip.info;
+  const seen = watched.seen.filter(isSpatial);
+  if (seen.length > 0 && seen.length < watched.seen.length) throw mixed(estimator.name);
+  if (!recoverer || seen.length === 0) {
+    progress.report('recovering', 0, frameCount, frameCount);
+    const start = performance.now();
+    const poses = recoverCubic(watched, estimator.skeleton);
+    // A few operations for each value, which nobody would see beside the estimator's: no FLOPs are counted.
+    meter.addRecover(0, performance.now() - start);
+    return { recovery: 'cubic', ...poses };
+  }
   const poses = await recoverer.recover(
-    { times: clip.times, watched, seen, every },
+    { ...watched, seen },
     async ({ entry, samples, frames, denoiseMs, recoverMs }, done, total) => {
       meter.addDenoise(netFlops(entry.denoise.flops, samples, frames), denoiseMs);
       meter.addRecover(netFlops(entry.recover.flops, samples, frames), recoverMs);
@@ -52,13 +81,18 @@ export async function recoverClip(job: RecoverJob): Promise<RecoveredClip> {
       signal.throwIfAborted();
     },
   );
-  return {
-    source: clip.info,
-    interval: every,
-    estimator: { name: estimator.name, flops: estimator.flops },
-    ...poses,
-    cost: meter.report(frameCount, performance.now() - start),
-  };
+  return { recovery: 'nets', ...poses };
+}
+
+function isSpatial(sample: SeenSample): sample is SpatialSample {
+  return sample.estimate.keypoints3d !== null;
+}
+
+function mixed(name: string): DeciWatchError {
+  return new DeciWatchError(
+    'estimator-failed',
+    `The estimator ${name} gave 3D in some of the frames only: let it give keypoints3d always or never.`,
+  );
 }
 
 /** The estimator's part: which frames it looked at, and in which of them it saw somebody. */

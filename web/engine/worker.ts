@@ -1,13 +1,17 @@
 import * as Comlink from 'comlink';
 import { DeciWatchError } from '../errors.ts';
+import type { EstimatorName } from '../estimators/names.ts';
+import { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
+import { haveSameJoints } from '../pose/skeleton.ts';
 import { openFile } from '../sources/file.ts';
 import type { Failure, WatchAnswer } from './live/messages.ts';
 import { PictureCanvas } from './live/picture-canvas.ts';
 import { LiveWork } from './live/work.ts';
-import type { EngineWorker, JobMessage, Outcome } from './messages.ts';
+import type { EngineWorker, JobMessage, Look, Outcome, ProgressListener } from './messages.ts';
 import { Models } from './models.ts';
 import { ProgressReporter } from './progress.ts';
 import { recoverClip } from './recover-clip.ts';
+import { RemoteEstimator } from './remote-estimator.ts';
 import { checkSupport } from './support.ts';
 import type { RecoveredClip } from './types.ts';
 
@@ -18,6 +22,7 @@ const pictures = new PictureCanvas();
 
 async function run(
   { file, name, every, estimator, files }: JobMessage,
+  look: Look | null,
   progress: ProgressReporter,
   signal: AbortSignal,
 ): Promise<RecoveredClip> {
@@ -28,10 +33,14 @@ async function run(
     const { frameCount } = clip.info;
     models ??= new Models(files);
     progress.report('loading', 0, 0, frameCount);
-    const recoverer = await models.recoverer(signal);
+    const caller =
+      typeof estimator === 'string' ? null : new RemoteEstimator(estimator, look!, signal);
+    // What the nets cannot take costs no download of them.
+    const needsNets = !caller || haveSameJoints(caller.skeleton, BLAZEPOSE_33);
+    const recoverer = needsNets ? await models.recoverer(signal) : null;
     signal.throwIfAborted();
     progress.report('loading', 0.5, 0, frameCount);
-    const loaded = await models.estimator(estimator, signal);
+    const loaded = caller ?? (await models.estimator(estimator as EstimatorName, signal));
     signal.throwIfAborted();
     return await recoverClip({ clip, estimator: loaded, recoverer, every, progress, signal });
   } finally {
@@ -51,13 +60,13 @@ function failureOf(error: unknown): Failure {
 }
 
 const engine: EngineWorker = {
-  async recover(job, onProgress) {
+  async recover(job, onProgress, look) {
     const controller = new AbortController();
     const { signal } = controller;
     current = controller;
     const progress = new ProgressReporter(onProgress);
     try {
-      const clip = await run(job, progress, signal);
+      const clip = await run(job, look, progress, signal);
       // Progress and the result go by different ports, which keep no order between them.
       await progress.finish(clip.source.frameCount);
       return Comlink.transfer<Outcome>({ kind: 'done', clip }, buffersOf(clip));
@@ -65,8 +74,7 @@ const engine: EngineWorker = {
       return failure(error, signal);
     } finally {
       current = undefined;
-      // Closes the port that the listener is reached by.
-      (onProgress as Partial<Comlink.ProxyMethods>)[Comlink.releaseProxy]?.();
+      for (const proxy of [onProgress, look]) release(proxy);
     }
   },
   abort() {
@@ -111,8 +119,14 @@ const engine: EngineWorker = {
   },
 };
 
+/** Closes the port that a function of the page's is reached by. */
+function release(proxy: ProgressListener | Look | null): void {
+  (proxy as Partial<Comlink.ProxyMethods> | null)?.[Comlink.releaseProxy]?.();
+}
+
 function buffersOf({ poses2d, poses3d }: RecoveredClip): Transferable[] {
-  const arrays = [poses2d, poses3d].flatMap((p) => [p.times, p.values, p.scores, p.watched]);
+  const sequences = poses3d ? [poses2d, poses3d] : [poses2d];
+  const arrays = sequences.flatMap((p) => [p.times, p.values, p.scores, p.watched]);
   // The two sequences share some of them, and a buffer can be handed over once only.
   return [...new Set(arrays.map(({ buffer }) => buffer as ArrayBuffer))];
 }

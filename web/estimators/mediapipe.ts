@@ -1,6 +1,7 @@
 import type { PoseLandmarker } from '@mediapipe/tasks-vision';
 import { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
-import type { EstimatorImage, PoseEstimate, PoseEstimator } from './estimator.ts';
+import type { EstimatorImage, PoseEstimator, SpatialEstimate } from './estimator.ts';
+import { imageSize } from './image-size.ts';
 
 /** Where MediaPipe's WebAssembly and its loader are: absolute addresses. */
 export interface MediaPipeFiles {
@@ -73,13 +74,12 @@ export class MediaPipeEstimator implements PoseEstimator {
     return new MediaPipeEstimator(model.name, model.flops, landmarker);
   }
 
-  async estimate(image: EstimatorImage): Promise<PoseEstimate | null> {
+  async estimate(image: EstimatorImage): Promise<SpatialEstimate | null> {
     const result = this.landmarker.detect(image);
     const landmarks = result.landmarks[0];
     const world = result.worldLandmarks[0];
     if (!landmarks || !world) return null;
-    const width = 'displayWidth' in image ? image.displayWidth : image.width;
-    const height = 'displayHeight' in image ? image.displayHeight : image.height;
+    const { width, height } = imageSize(image);
     return {
       keypoints2d: Float32Array.from(landmarks.flatMap(({ x, y }) => [x * width, y * height])),
       keypoints3d: fromMidHip(world),

@@ -8,7 +8,7 @@ import type { PoseFile, PoseFileFrame } from './pose-file-types.ts';
  *
  * Beyond the schema it checks what must fit together: frames complete and in order, times strictly
  * increasing, one value per joint, bones between joints that there are, and frames either with all
- * their values or with none.
+ * their values or with none, but that a whole file may be without 3D.
  *
  * @param json what `JSON.parse` gave
  * @throws DeciWatchError `pose-file-invalid`, with the place, what belongs there and what was found
@@ -20,8 +20,10 @@ export function parsePoseFile(json: unknown): PoseFile {
   expectEqual(['source', 'frames'], file.source.frames, file.frames.length);
   expectEqual(['cost', 'frames'], file.cost.frames, file.frames.length);
   checkBones(file);
+  const first = file.frames.find((frame) => frame.keypoints2d !== null);
+  const isFlat = first?.keypoints3d === null;
   file.frames.forEach((frame, i) => {
-    checkFrame(frame, i, file.skeleton.joints.length);
+    checkFrame(frame, i, file.skeleton.joints.length, isFlat);
     const before = file.frames[i - 1]?.time ?? -Infinity;
     if (frame.time > before) return;
     throw misfit(['frames', i, 'time'], `a time after the last frame's ${before} s`, frame.time);
@@ -51,12 +53,15 @@ function checkBones({ skeleton: { joints, bones } }: PoseFile): void {
   });
 }
 
-function checkFrame(frame: PoseFileFrame, i: number, joints: number): void {
+/** @param isFlat the file's first pose has no 3D, so that none may have */
+function checkFrame(frame: PoseFileFrame, i: number, joints: number, isFlat: boolean): void {
   expectEqual(['frames', i, 'index'], frame.index, i);
   for (const field of ['keypoints2d', 'keypoints3d', 'scores'] as const) {
     const values = frame[field];
-    if ((values === null) !== (frame.keypoints2d === null)) {
-      const words = values ? 'null, as keypoints2d is' : 'a list, as keypoints2d is';
+    const isEmpty = frame.keypoints2d === null || (field === 'keypoints3d' && isFlat);
+    if ((values === null) !== isEmpty) {
+      const others = isFlat && frame.keypoints2d ? 'as in the frames before' : 'as keypoints2d is';
+      const words = `${values ? 'null' : 'a list'}, ${others}`;
       throw misfit(['frames', i, field], words, values);
     }
     if (values !== null && values.length !== joints) {

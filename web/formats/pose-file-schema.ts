@@ -1,8 +1,11 @@
 import * as v from 'valibot';
+import type { Recovery } from '../engine/types.ts';
 import type { PoseFile } from './pose-file-types.ts';
 
 /** What the first field of every pose file says. */
 export const POSE_FILE_FORMAT = 'deciwatch-poses/1';
+
+const RECOVERIES = ['nets', 'cubic'] as const satisfies readonly Recovery[];
 
 // The messages say what belongs in the place; the reader puts the place and what it found to them.
 const finite = v.pipe(v.number('a number'), v.finite('a finite number'));
@@ -27,7 +30,8 @@ const cost = v.object(
     estimatorCalls: whole(0),
     flopsPerFrame: v.object(costParts, 'an object'),
     everyFrameFlopsPerFrame: notNegative,
-    flopsRatio: notNegative,
+    /** Null where the estimator's FLOPs are not known. */
+    flopsRatio: v.nullable(notNegative),
     msPerFrame: v.object({ ...costParts, decode: notNegative }, 'an object'),
     msPerEstimatorCall: notNegative,
     wallMs: notNegative,
@@ -85,6 +89,8 @@ export const PoseFileSchema = v.object(
     ),
     interval: whole(1),
     estimator: v.object({ name: text, flops: notNegative }, 'an object'),
+    /** Files of before there was a choice do not say it. */
+    recovery: v.optional(v.picklist(RECOVERIES, '"nets" or "cubic"')),
     cost,
     frames: v.pipe(v.array(frame, 'a list of frames'), v.minLength(1, 'at least one frame')),
   },

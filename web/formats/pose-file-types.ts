@@ -1,4 +1,5 @@
 import type { CostReport } from '../cost/report.ts';
+import type { Recovery } from '../engine/types.ts';
 
 /**
  * A pose file, `deciwatch-poses/1`, as JSON holds it: a 2D and a 3D pose for every frame of a clip.
@@ -13,6 +14,8 @@ export interface PoseFile {
   interval: number;
   /** Who watched, and the FLOPs of one of its calls. */
   estimator: { name: string; flops: number };
+  /** Missing in files of before there was a choice: then `nets`. */
+  recovery?: Recovery | undefined;
   cost: CostReport;
   /** T frames, in order. */
   frames: PoseFileFrame[];
@@ -54,7 +57,10 @@ export interface PoseFileFrame {
   watched: boolean;
   /** K pairs x, y in pixels of the picture as displayed, to 0.01: origin top left, y down. */
   keypoints2d: [number, number][] | null;
-  /** K triples x, y, z in metres relative to the mid-hip, to 0.1 mm: x right, y up, z towards the camera. */
+  /**
+   * K triples x, y, z in metres relative to the mid-hip, to 0.1 mm: x right, y up, z towards the camera. Null
+   * in all frames where the estimator gives no 3D.
+   */
   keypoints3d: [number, number, number][] | null;
   /** K scores, 0 to 1. */
   scores: number[] | null;

@@ -27,6 +27,7 @@ export function toPoseFile(clip: RecoveredClip): PoseFile {
     skeleton: { name, joints: [...joints], bones: bones.map(([from, to]) => [from, to]) },
     interval: clip.interval,
     estimator: { name: estimator.name, flops: estimator.flops },
+    recovery: clip.recovery,
     cost,
     frames,
   };
@@ -43,7 +44,7 @@ export function stringifyPoseFile(file: PoseFile): string {
 function frameOf({ poses2d, poses3d }: RecoveredClip, index: number): PoseFileFrame {
   const time = round(poses2d.times[index]!, DECIMALS_TIME);
   const watched = poses2d.watched[index] === 1;
-  if (!hasPose(poses2d, index) || !hasPose(poses3d, index)) {
+  if (!hasPose(poses2d, index) || (poses3d && !hasPose(poses3d, index))) {
     return { index, time, watched, keypoints2d: null, keypoints3d: null, scores: null };
   }
   const joints = poses2d.skeleton.joints.length;
@@ -53,7 +54,7 @@ function frameOf({ poses2d, poses3d }: RecoveredClip, index: number): PoseFileFr
     time,
     watched,
     keypoints2d: pointsOf(poses2d, index, DECIMALS_2D).map(([x, y]) => [x!, y!]),
-    keypoints3d: pointsOf(poses3d, index, DECIMALS_3D).map(([x, y, z]) => [x!, y!, z!]),
+    keypoints3d: poses3d && pointsOf(poses3d, index, DECIMALS_3D).map(([x, y, z]) => [x!, y!, z!]),
     scores: Array.from(scores, (score) => round(score, DECIMALS_SCORE)),
   };
 }

@@ -1,10 +1,18 @@
 import type { Dimensions, PoseSequence } from '../pose/sequence.ts';
-import { type Skeleton, sideOf } from '../pose/skeleton.ts';
+import { skeletonFrom } from '../pose/skeleton.ts';
 import type { PoseFile } from './pose-file-types.ts';
 
-/** The two sequences in a pose file that `parsePoseFile` has let through. */
-export function posesFromFile(file: PoseFile): { poses2d: PoseSequence; poses3d: PoseSequence } {
-  const skeleton = skeletonOf(file);
+/**
+ * The sequences in a pose file that `parsePoseFile` has let through. What the file leaves out of the
+ * skeleton is worked out from the joints' names.
+ * @returns no 3D sequence where somebody was seen, but never in 3D
+ */
+export function posesFromFile(file: PoseFile): {
+  poses2d: PoseSequence;
+  poses3d: PoseSequence | null;
+} {
+  const { name, joints: names, bones } = file.skeleton;
+  const skeleton = skeletonFrom(name, names, bones);
   const joints = skeleton.joints.length;
   const scores = file.frames.map((frame) => frame.scores);
   const shared = {
@@ -17,7 +25,11 @@ export function posesFromFile(file: PoseFile): { poses2d: PoseSequence; poses3d:
     const rows = file.frames.map((frame) => frame[field]?.flat() ?? null);
     return { ...shared, dims, values: flatten(rows, joints * dims, NaN) };
   };
-  return { poses2d: sequence(2, 'keypoints2d'), poses3d: sequence(3, 'keypoints3d') };
+  const isFlat = file.frames.some((frame) => frame.keypoints2d !== null && !frame.keypoints3d);
+  return {
+    poses2d: sequence(2, 'keypoints2d'),
+    poses3d: isFlat ? null : sequence(3, 'keypoints3d'),
+  };
 }
 
 /** T rows of `size` numbers in one array; rows that are null are filled with `missing`. */
@@ -27,10 +39,4 @@ function flatten(rows: readonly (number[] | null)[], size: number, missing: numb
     if (row) out.set(row, t * size);
   });
   return out;
-}
-
-/** The skeleton with what the file leaves out: sides by the joints' names, the hips as the root. */
-function skeletonOf({ skeleton: { name, joints, bones } }: PoseFile): Skeleton {
-  const root = ['left_hip', 'right_hip'].map((hip) => joints.indexOf(hip));
-  return { name, joints, bones, sides: joints.map(sideOf), root: root.filter((hip) => hip >= 0) };
 }

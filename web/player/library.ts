@@ -15,13 +15,46 @@ export type {
   RecoverOptions,
   RecoverProgress,
   RecoverStage,
+  Recovery,
 } from '../engine/types.ts';
 export { DEFAULT_INTERVAL, MAX_INTERVAL, MIN_INTERVAL } from '../sampling/watched.ts';
 
 // # Estimators
 
-export type { EstimatorImage, PoseEstimate, PoseEstimator } from '../estimators/estimator.ts';
 export { DEFAULT_ESTIMATOR, ESTIMATOR_NAMES, type EstimatorName } from '../estimators/names.ts';
+
+// # Your own estimator
+
+export { type Box, type Crop, cropTo, type Size, toInput, toPicture } from '../estimators/crop.ts';
+export type {
+  EstimatorImage,
+  PoseEstimate,
+  PoseEstimator,
+  SpatialEstimate,
+} from '../estimators/estimator.ts';
+export { decodeHeatmaps, type HeatmapShape } from '../estimators/heatmap.ts';
+export {
+  IMAGENET_MEAN,
+  IMAGENET_STD,
+  type InputFormat,
+  inputValues,
+} from '../estimators/input-values.ts';
+export {
+  type FindPerson,
+  type OnnxEstimatorOptions,
+  type OnnxInput,
+  OnnxPoseEstimator,
+  type OnnxSession,
+  type OnnxTensor,
+  type OnnxTensorClass,
+} from '../estimators/onnx-estimator.ts';
+export type { DecodedKeypoints } from '../estimators/peak.ts';
+export {
+  RecordedEstimator,
+  type RecordedOptions,
+  type RecordedPoses,
+} from '../estimators/recorded.ts';
+export { decodeSimcc } from '../estimators/simcc.ts';
 
 // # Following a camera
 

@@ -6,6 +6,8 @@
 // # Poses
 
 export { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
+export { COCO_17 } from '../pose/coco17.ts';
+export { HALPE_26 } from '../pose/halpe26.ts';
 export {
   type Dimensions,
   frameAtTime,
@@ -13,7 +15,7 @@ export {
   type PoseSequence,
   poseAt,
 } from '../pose/sequence.ts';
-export { type Side, type Skeleton, sideOf } from '../pose/skeleton.ts';
+export { type Side, type Skeleton, sideOf, skeletonFrom } from '../pose/skeleton.ts';
 
 // # Filling in frames
 

@@ -2,6 +2,7 @@ import type { CostReport } from '../cost/report.ts';
 import type { LiveMode, LiveReport } from '../engine/live/types.ts';
 import type { RecoveredClip, RecoverProgress } from '../engine/types.ts';
 import type { DeciWatchErrorCode } from '../errors.ts';
+import type { PoseEstimator } from '../estimators/estimator.ts';
 import type { EstimatorName } from '../estimators/names.ts';
 import type { PoseSequence } from '../pose/sequence.ts';
 
@@ -66,7 +67,8 @@ export interface DeciWatchPlayer extends HTMLElement {
   camera: boolean;
   /** N, 1 to 20: the estimator watches one frame in N. */
   every: number;
-  estimator: EstimatorName;
+  /** One of MediaPipe's variants, by name; or, for clips and as a property only, one of the page's own. */
+  estimator: EstimatorName | PoseEstimator;
   /** With a camera: one interval late, or at once. */
   mode: LiveMode;
   view: PlayerView;

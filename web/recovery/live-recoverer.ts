@@ -1,4 +1,4 @@
-import type { PoseEstimate } from '../estimators/estimator.ts';
+import type { SpatialEstimate } from '../estimators/estimator.ts';
 import { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
 import { bridges } from '../sampling/segments.ts';
 import { WINDOW_INTERVALS } from '../sampling/windows.ts';
@@ -47,7 +47,7 @@ export interface LiveSample {
   /** Seconds. */
   readonly time: number;
   /** Null: nobody was seen. */
-  readonly estimate: PoseEstimate | null;
+  readonly estimate: SpatialEstimate | null;
   /** Times, in seconds and increasing, of the camera's frames up to this one. */
   readonly frameTimes: Float64Array;
   /** Times from this one on to look ahead to; where there are none, the interval before is recovered. */
@@ -61,7 +61,7 @@ const NOTHING: LiveStep = { chunk: null, runs: [] };
  * each new one gives the frames of the newest interval, or those to come. Uses the recoverer's nets, which stay its own.
  */
 export class LiveRecoverer {
-  #samples: { readonly time: number; readonly estimate: PoseEstimate }[] = [];
+  #samples: { readonly time: number; readonly estimate: SpatialEstimate }[] = [];
   #missing = 0;
 
   constructor(private readonly recoverer: Recoverer) {}
@@ -125,7 +125,7 @@ export class LiveRecoverer {
 
 /** The samples of a window side by side. */
 interface SampleList {
-  readonly estimates: readonly PoseEstimate[];
+  readonly estimates: readonly SpatialEstimate[];
   readonly times: Float64Array;
 }
 

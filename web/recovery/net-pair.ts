@@ -1,5 +1,5 @@
 import { type FileSet, fetchListed } from '../download.ts';
-import type { PoseEstimate } from '../estimators/estimator.ts';
+import type { SpatialEstimate } from '../estimators/estimator.ts';
 import type { Dimensions } from '../pose/sequence.ts';
 import type { PairEntry } from './manifest.ts';
 import { fromNet, type NetFrame } from './normalise.ts';
@@ -9,7 +9,7 @@ import { buildSampled } from './sampled.ts';
 /** The S samples of one window, and the T frames to recover from them. */
 export interface WindowInput {
   /** S estimates; the pair takes of them what its entry names. */
-  readonly samples: readonly PoseEstimate[];
+  readonly samples: readonly SpatialEstimate[];
   /** S seconds, increasing. */
   readonly sampleTimes: Float64Array;
   /** T seconds, increasing, from the first sample's to the last one's. */
@@ -97,7 +97,10 @@ export class NetPair {
    * DenoiseNet on the S samples of a window.
    * @param sampleTimes S seconds, increasing
    */
-  async clean(samples: readonly PoseEstimate[], sampleTimes: Float64Array): Promise<CleanWindow> {
+  async clean(
+    samples: readonly SpatialEstimate[],
+    sampleTimes: Float64Array,
+  ): Promise<CleanWindow> {
     const start = performance.now();
     const { sampled, frame } = buildSampled(this.entry, samples);
     const begin = sampleTimes[0]!;
@@ -130,7 +133,7 @@ export class NetPair {
    * @param times T seconds, increasing
    */
   async forecastAt(
-    samples: readonly PoseEstimate[],
+    samples: readonly SpatialEstimate[],
     sampleTimes: Float64Array,
     times: Float64Array,
   ): Promise<TimedPoses> {

@@ -1,6 +1,6 @@
 import { type FileSet, fetchListed } from '../download.ts';
 import { DeciWatchError } from '../errors.ts';
-import type { PoseEstimate } from '../estimators/estimator.ts';
+import type { SpatialEstimate } from '../estimators/estimator.ts';
 import { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
 import type { PoseSequence } from '../pose/sequence.ts';
 import { Stitcher } from '../sampling/stitcher.ts';
@@ -9,7 +9,7 @@ import { fetchModelManifest, type PairEntry } from './manifest.ts';
 import { fetchPair, NetPair } from './net-pair.ts';
 import { centreOnRoot } from './root.ts';
 import { interpolateScores } from './scores.ts';
-import type { WatchedClip } from './watched-clip.ts';
+import { type WatchedClip, watchedFlags } from './watched-clip.ts';
 
 /** One window through one pair of nets. */
 export interface PairRun {
@@ -25,7 +25,7 @@ export interface PairRun {
 const KEYPOINTS = BLAZEPOSE_33.joints.length;
 
 /** For the first run of a net, whose result nobody looks at. */
-const NOBODY: PoseEstimate = {
+const NOBODY: SpatialEstimate = {
   keypoints2d: new Float32Array(KEYPOINTS * 2),
   keypoints3d: new Float32Array(KEYPOINTS * 3),
   scores: new Float32Array(KEYPOINTS),
@@ -88,7 +88,7 @@ export class Recoverer {
    *   throw, which ends the work
    */
   async recover(
-    clip: WatchedClip,
+    clip: WatchedClip<SpatialEstimate>,
     onRun: (run: PairRun, done: number, total: number) => void | Promise<void>,
   ): Promise<{ poses2d: PoseSequence; poses3d: PoseSequence }> {
     const seenFrames = clip.seen.map(({ frame }) => frame);
@@ -123,7 +123,7 @@ export class Recoverer {
 /** All frames of a clip in one representation: T·K·D values, NaN where no window reaches. */
 async function recoverAll(
   pair: NetPair,
-  { times, seen }: WatchedClip,
+  { times, seen }: WatchedClip<SpatialEstimate>,
   windows: readonly SampleWindow[],
   report: (run: PairRun) => void | Promise<void>,
 ): Promise<Float32Array> {
@@ -146,10 +146,4 @@ async function recoverAll(
     });
   }
   return stitcher.finish();
-}
-
-function watchedFlags({ times, watched }: WatchedClip): Uint8Array {
-  const flags = new Uint8Array(times.length);
-  for (const frame of Array.from(watched)) flags[frame] = 1;
-  return flags;
 }

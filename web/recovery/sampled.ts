@@ -1,4 +1,4 @@
-import type { PoseEstimate } from '../estimators/estimator.ts';
+import type { SpatialEstimate } from '../estimators/estimator.ts';
 import { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
 import type { InputName, PairEntry } from './manifest.ts';
 import { type NetFrame, toNet, windowFrame } from './normalise.ts';
@@ -8,9 +8,9 @@ const KEYPOINTS = BLAZEPOSE_33.joints.length;
 
 /** Numbers of each keypoint, and where an estimate has them. */
 const SOURCES = {
-  '3d': { dims: 3, of: (estimate: PoseEstimate) => estimate.keypoints3d },
-  '2d': { dims: 2, of: (estimate: PoseEstimate) => estimate.keypoints2d },
-  scores: { dims: 1, of: (estimate: PoseEstimate) => estimate.scores },
+  '3d': { dims: 3, of: (estimate: SpatialEstimate) => estimate.keypoints3d },
+  '2d': { dims: 2, of: (estimate: SpatialEstimate) => estimate.keypoints2d },
+  scores: { dims: 1, of: (estimate: SpatialEstimate) => estimate.scores },
 } as const;
 
 const AS_IT_IS: NetFrame = { origin: Float64Array.of(0), unit: 1 };
@@ -29,7 +29,7 @@ export interface Sampled {
  */
 export function buildSampled(
   { inputs, normalisation }: Pick<PairEntry, 'inputs' | 'normalisation'>,
-  samples: readonly PoseEstimate[],
+  samples: readonly SpatialEstimate[],
 ): Sampled {
   const frameOf = (name: InputName, values: Float32Array): NetFrame => {
     if (name === 'scores') return AS_IT_IS;

@@ -67,7 +67,7 @@ export class Stage {
   #trailsShown = true;
   #pending = 0;
 
-  /** @throws DeciWatchError `browser-unsupported` where there is no WebGL 2 */
+  /** @throws DeciWatchError `webgl-unavailable` where there is no WebGL 2 */
   constructor(container: HTMLElement, options: StageOptions = {}) {
     this.#gl = createRenderer();
     this.#container = container;
@@ -93,11 +93,15 @@ export class Stage {
     this.#resize();
   }
 
-  /** Shows another sequence (3D), or an empty stage. */
-  setSequence(sequence: PoseSequence | null): void {
+  /**
+   * Shows another sequence (3D), or an empty stage.
+   * @param mirrored as in a mirror: what is on the person's right is on the right
+   */
+  setSequence(sequence: PoseSequence | null, mirrored = false): void {
     const wasLive = this.#live !== null;
     this.#dismiss();
     if (wasLive) this.#resize();
+    this.#actors.scale.x = mirrored ? -1 : 1;
     if (sequence) {
       const palette = paletteFor(this.#theme);
       const standing = estimateStanding(sequence);
@@ -106,7 +110,7 @@ export class Stage {
       const trails = new Trails(sequence.skeleton, palette);
       this.#actors.add(body.object, trails.object, shadow.object);
       const [x, z] = standing.feet;
-      this.#actors.position.set(-x, 0, -z);
+      this.#actors.position.set(-x * this.#actors.scale.x, 0, -z);
       this.#cast = { sequence, standing, body, shadow, trails };
       this.camera.setStature(standing.stature);
     }

@@ -2,9 +2,9 @@ import { css, html, LitElement } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import type { LiveMode, LiveReport } from '../../engine/live/types.ts';
 import { delayWords } from '../../player/live/live-words.ts';
+import { costHeadline } from '../../player/parts/cost-words.ts';
 import { formatCount, formatFlops, formatMs } from '../../player/parts/format.ts';
 import { sharedStyles } from '../../player/parts/styles.ts';
-import { costHeadline } from '../cost-words.ts';
 
 /** The counter of live playback: the last ten seconds. */
 @customElement('dw-live-cost-panel')

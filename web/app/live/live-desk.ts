@@ -9,18 +9,13 @@ import type {
 } from '../../engine/live/types.ts';
 import type { RecoveredClip } from '../../engine/types.ts';
 import { DeciWatchError } from '../../errors.ts';
-import { DrawGovernor } from '../../player/live/draw-governor.ts';
+import { CameraFollower } from '../../player/live/camera-follower.ts';
 import type { ShownFrame } from '../../player/live/live-view.ts';
-import { type Camera, type CameraChoice, listCameras, openCamera } from '../../sources/camera.ts';
+import { type Camera, type CameraChoice, listCameras } from '../../sources/camera.ts';
 import type { PageEngine } from '../page-engine.ts';
 import type { ClipFile } from '../recover-job.ts';
 import { DEFAULT_SETTINGS, type Settings } from '../settings.ts';
 import { CameraRecorder } from './camera-recorder.ts';
-
-/** Figures change so many times a second. */
-const REPORT_MS = 500;
-
-const NOTHING_DRAWN = { frame: null, presence: 0 };
 
 const NOTHING_RECORDED =
   'Nothing was recorded: nobody was seen, or it was too short; record for a second or more.';
@@ -59,19 +54,10 @@ export interface LivePage {
 export class LiveDesk implements ReactiveController {
   readonly #host: ReactiveControllerHost;
   readonly #page: LivePage;
-  readonly #engine: PageEngine;
-  #camera: Camera | null = null;
-  #session: LiveSession | null = null;
-  #opening = false;
+  readonly #follower: CameraFollower;
   #cameras: readonly CameraChoice[] = [];
   #choices = DEFAULT_LIVE_CHOICES;
   #settings: Settings = DEFAULT_SETTINGS;
-  #report: LiveReport | null = null;
-  #frameRequest = 0;
-  #reportTimer = 0;
-  /** What the last picture showed. */
-  #drawn: { frame: number | null; presence: number } = NOTHING_DRAWN;
-  #governor = new DrawGovernor();
   #recording = false;
   #recovering = false;
   /** The one that is being started, and the one that runs. */
@@ -80,22 +66,28 @@ export class LiveDesk implements ReactiveController {
 
   constructor(host: ReactiveControllerHost, engine: PageEngine, page: LivePage) {
     this.#host = host;
-    this.#engine = engine;
     this.#page = page;
+    this.#follower = new CameraFollower({
+      engine: () => engine.get(),
+      draw: (view, stage) => page.draw(view, stage),
+      isSlowToDraw: () => page.isSlowToDraw(),
+      changed: () => host.requestUpdate(),
+      failed: (error) => this.#fail(error),
+    });
     host.addController(this);
   }
 
   /** A camera is on or being asked for. */
   get on(): boolean {
-    return this.#opening || this.#camera !== null;
+    return this.#follower.on;
   }
 
   get opening(): boolean {
-    return this.#opening;
+    return this.#follower.opening;
   }
 
   get camera(): Camera | null {
-    return this.#camera;
+    return this.#follower.camera;
   }
 
   get cameras(): readonly CameraChoice[] {
@@ -107,16 +99,16 @@ export class LiveDesk implements ReactiveController {
   }
 
   get status(): LiveStatus | null {
-    return this.#session?.status ?? null;
+    return this.#follower.status;
   }
 
   get report(): LiveReport | null {
-    return this.#report;
+    return this.#follower.report;
   }
 
   /** The session itself, for measurements. */
   get session(): LiveSession | null {
-    return this.#session;
+    return this.#follower.session;
   }
 
   get recording(): boolean {
@@ -144,46 +136,24 @@ export class LiveDesk implements ReactiveController {
    * @param id another camera than the browser's own choice
    */
   async start(settings: Settings, id?: string): Promise<void> {
-    if (this.#opening) return;
+    if (this.opening) return;
     this.stop();
     this.#settings = settings;
-    this.#opening = true;
     this.#page.say({ error: '', note: '', status: 'Asking for the camera.' });
+    const camera = await this.#follower.start(() => this.#sessionSettings(), id);
+    if (!camera) return;
+    this.#choices = { ...this.#choices, mirrored: camera.facesUser };
     this.#host.requestUpdate();
-    try {
-      const camera = await openCamera(id);
-      if (!this.#opening) {
-        camera.close();
-        return;
-      }
-      this.#camera = camera;
-      camera.onLost = (error) => this.#fail(error);
-      this.#choices = { ...this.#choices, mirrored: camera.facesUser };
-      this.#open();
-      void this.#devicesChanged();
-    } catch (error) {
-      this.#fail(error);
-    } finally {
-      this.#opening = false;
-      this.#host.requestUpdate();
-    }
+    void this.#devicesChanged();
   }
 
   /** Switches the camera off. A recording that runs is thrown away. */
   stop(): void {
-    cancelAnimationFrame(this.#frameRequest);
-    clearInterval(this.#reportTimer);
-    this.#opening = false;
     this.#recording = false;
     this.#recorder = null;
     void this.#running?.cancel();
     this.#running = null;
-    this.#session?.close();
-    this.#session = null;
-    this.#camera?.close();
-    this.#camera = null;
-    this.#report = null;
-    this.#host.requestUpdate();
+    this.#follower.stop();
   }
 
   /** Switches the camera off, and goes back to what was there before. */
@@ -195,7 +165,7 @@ export class LiveDesk implements ReactiveController {
   /** Another N or estimator. */
   change(settings: Settings): void {
     this.#settings = settings;
-    this.#session?.change(this.#sessionSettings());
+    this.#follower.change(this.#sessionSettings());
     this.#host.requestUpdate();
   }
 
@@ -203,18 +173,18 @@ export class LiveDesk implements ReactiveController {
     const before = this.#choices;
     this.#choices = choices;
     const concerned = choices.mode !== before.mode || choices.load !== before.load;
-    if (concerned) this.#session?.change(this.#sessionSettings());
+    if (concerned) this.#follower.change(this.#sessionSettings());
     this.#host.requestUpdate();
   }
 
   /** A frame of the camera is on screen. */
   frame(shown: ShownFrame): void {
-    this.#session?.frame(shown.video, shown.frame);
+    this.#follower.frame(shown);
     this.#running?.add(shown);
   }
 
   startRecording(): void {
-    const session = this.#session;
+    const { session } = this;
     if (!session || this.#recording) return;
     this.#recording = true;
     this.#page.say({ status: 'Recording.' });
@@ -257,47 +227,18 @@ export class LiveDesk implements ReactiveController {
     }
   }
 
-  #open(): void {
-    const session = this.#engine.get().live(this.#sessionSettings());
-    this.#session = session;
-    session.onStatus = () => this.#host.requestUpdate();
-    session.onError = (error) => this.#fail(error);
-    this.#reportTimer = setInterval(() => {
-      this.#report = session.report;
-      this.#host.requestUpdate();
-    }, REPORT_MS) as unknown as number;
-    this.#drawn = NOTHING_DRAWN;
-    this.#governor = new DrawGovernor();
-    this.#frameRequest = requestAnimationFrame(this.#draw);
-  }
-
   #sessionSettings() {
     const { mode, load } = this.#choices;
     return { ...this.#settings, mode, load };
   }
 
-  readonly #draw = (stamp: number) => {
-    const session = this.#session;
-    if (!session) return;
-    this.#frameRequest = requestAnimationFrame(this.#draw);
-    const view = session.view(performance.now() / 1000);
-    const { frame } = view;
-    const presence = view.pose?.presence ?? 0;
-    // Somebody fades also where no more frames come.
-    const fresh = frame !== this.#drawn.frame || presence !== this.#drawn.presence;
-    if (this.#page.isSlowToDraw() && !fresh) return;
-    this.#drawn = { frame, presence };
-    this.#page.draw(view, this.#governor.offer(stamp));
-  };
-
   readonly #seen = () => {
     // The browser draws nothing in a hidden tab; figures would tell of that alone.
-    if (document.hidden) this.#report = null;
-    this.#host.requestUpdate();
+    if (document.hidden) this.#follower.forgetReport();
   };
 
   readonly #devicesChanged = async () => {
-    if (!this.#camera) return;
+    if (!this.camera) return;
     this.#cameras = await listCameras();
     this.#host.requestUpdate();
   };

@@ -1,8 +1,8 @@
 import type { DeciWatchErrorCode } from '../../errors.ts';
-import type { PoseEstimate } from '../../estimators/estimator.ts';
+import type { SpatialEstimate } from '../../estimators/estimator.ts';
 import type { EstimatorName } from '../../estimators/names.ts';
 import type { LiveChunk } from '../../recovery/live-recoverer.ts';
-import type { SeenSample } from '../../recovery/watched-clip.ts';
+import type { SpatialSample } from '../../recovery/watched-clip.ts';
 import type { ClipInfo } from '../../sources/clip.ts';
 import type { EngineFiles } from '../files.ts';
 
@@ -39,7 +39,7 @@ export interface WatchRequest {
 export type WatchAnswer =
   | {
       readonly kind: 'watched';
-      readonly estimate: PoseEstimate | null;
+      readonly estimate: SpatialEstimate | null;
       /** What to show next: the newest interval, or what is to come. */
       readonly chunk: LiveChunk | null;
       readonly estimatorMs: number;
@@ -55,7 +55,7 @@ export interface RecordedStretch {
   readonly info: ClipInfo;
   readonly times: Float64Array;
   readonly watched: readonly number[];
-  readonly seen: readonly SeenSample[];
+  readonly seen: readonly SpatialSample[];
   readonly every: number;
   readonly estimator: { readonly name: string; readonly flops: number };
   readonly estimatorMs: number;

@@ -5,7 +5,7 @@ const LEAST_SCORE = 0.5;
 const SHARE = 1 / 3;
 
 /** Whether an estimate is of somebody: an estimator that sees next to nothing guesses all the same. */
-export function isSomebody(estimate: PoseEstimate | null): estimate is PoseEstimate {
+export function isSomebody<T extends PoseEstimate>(estimate: T | null): estimate is T {
   if (!estimate) return false;
   const best = [...estimate.scores].sort((a, b) => b - a);
   const counted = best.slice(0, Math.max(1, Math.round(best.length * SHARE)));

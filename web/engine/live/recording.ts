@@ -1,5 +1,5 @@
-import type { PoseEstimate } from '../../estimators/estimator.ts';
-import type { SeenSample } from '../../recovery/watched-clip.ts';
+import type { SpatialEstimate } from '../../estimators/estimator.ts';
+import type { SpatialSample } from '../../recovery/watched-clip.ts';
 import type { ClipInfo } from '../../sources/clip.ts';
 
 /** Fewer frames are no movement. */
@@ -12,7 +12,7 @@ const LAST_LOOK_MS = 1500;
 export class Recording {
   #times: number[] = [];
   #watched: number[] = [];
-  #seen: SeenSample[] = [];
+  #seen: SpatialSample[] = [];
   #estimatorMs = 0;
   #ending = false;
   #until: number | null = null;
@@ -51,7 +51,7 @@ export class Recording {
   }
 
   /** What the estimator found in one of them. */
-  addWatched(time: number, estimate: PoseEstimate | null, estimatorMs: number): void {
+  addWatched(time: number, estimate: SpatialEstimate | null, estimatorMs: number): void {
     const frame = this.#times.indexOf(time);
     if (frame < 0) return;
     this.#watched.push(frame);

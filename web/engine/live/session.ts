@@ -21,6 +21,9 @@ import type { LiveSession, LiveSettings, LiveState, LiveStatus, LiveView } from 
 const SPARE_S = 0.15;
 const FURTHEST_S = 1;
 
+/** At N = 1 and 60 frames a second, a second's worth. */
+const LOOKS_KEPT = 64;
+
 /** What the session needs of the engine that it runs on. */
 export interface LiveHost {
   readonly remote: Remote<EngineWorker>;
@@ -45,6 +48,8 @@ export class WorkerLiveSession implements LiveSession {
   #size: { readonly width: number; readonly height: number } | null = null;
   readonly #track = new LiveTrack();
   readonly #delay = new SmoothDelay();
+  /** Times of the last looks, as long ago as anything is shown. */
+  #looks: number[] = [];
   #callSeconds = 0.1;
   #shownTime = 0;
   readonly #clock = new CameraClock();
@@ -141,7 +146,7 @@ export class WorkerLiveSession implements LiveSession {
     const pose = this.#track.at(time);
     const frame = this.#clock.frameAt(time);
     if (pose && pose.presence > 0 && frame !== null) this.#count(frame, now);
-    return { time, frame, pose };
+    return { time, frame, watched: this.#looks.includes(frame ?? Number.NaN), pose };
   }
 
   startRecording(): void {
@@ -168,6 +173,11 @@ export class WorkerLiveSession implements LiveSession {
     );
     if (outcome.kind === 'done') return outcome.clip;
     throw errorOf(outcome);
+  }
+
+  /** Closes it, and tells why. */
+  end(error: DeciWatchError): void {
+    this.#fail(error);
   }
 
   close(): void {
@@ -210,6 +220,7 @@ export class WorkerLiveSession implements LiveSession {
     if (!image) return;
     const { estimator, mode } = this.#settings;
     this.#busy = true;
+    this.#looks = [...this.#looks.slice(-LOOKS_KEPT), time];
     const sent = performance.now();
     const frameTimes = this.#clock.takeFrames();
     const afresh = this.#afresh;

@@ -46,6 +46,8 @@ export interface LiveView {
   readonly time: number;
   /** Seconds: the capture time of the last camera frame up to `time`; null while there is none. */
   readonly frame: number | null;
+  /** The estimator looked at that frame. */
+  readonly watched: boolean;
   /** Null where nobody is to be drawn. */
   readonly pose: LivePose | null;
 }

@@ -30,7 +30,7 @@ export class LiveWork {
     if (request.ahead.length > 0) await recoverer.loadForecasts(NEVER);
     if (request.afresh || !this.#live) this.#live = new LiveRecoverer(recoverer);
     const start = performance.now();
-    const seen = await estimator.estimate(image, request.time * 1000);
+    const seen = await estimator.estimate(image);
     const estimatorMs = performance.now() - start;
     const estimate = isSomebody(seen) ? seen : null;
     const { chunk, runs } = await this.#live.add({ ...request, estimate });
@@ -64,6 +64,7 @@ export class LiveWork {
       source: info,
       interval: every,
       estimator,
+      recovery: 'nets',
       ...poses,
       cost: meter.report(info.frameCount, wallMs),
     };

@@ -1,8 +1,9 @@
 import { css, html, LitElement, type PropertyValues } from 'lit';
-import { customElement, property, query } from 'lit/decorators.js';
+import { property, query } from 'lit/decorators.js';
 import type { LiveView as Moment } from '../../engine/live/types.ts';
 import { BLAZEPOSE_33 } from '../../pose/blazepose33.ts';
 import { type CameraFrame, watchCameraFrames } from '../../sources/camera-frames.ts';
+import { element } from '../parts/element.ts';
 import { prepareCanvas } from '../parts/hi-dpi-canvas.ts';
 import { containedRect } from '../parts/letterbox.ts';
 import { paintOverlay } from '../parts/overlay-painter.ts';
@@ -21,7 +22,7 @@ export interface ShownFrame {
  * @fires camera-frame with a {@link ShownFrame} as detail, for every frame of the camera
  * @fires picture with width by height as detail, once known
  */
-@customElement('dw-live-view')
+@element('dw-live-view')
 export class LiveView extends LitElement {
   @property({ attribute: false }) stream: MediaStream | null = null;
   @property({ type: Boolean, reflect: true }) mirrored = true;
@@ -59,6 +60,12 @@ export class LiveView extends LitElement {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.release();
+  }
+
+  /** Holds the picture, so that no more frames come, or lets it go on. */
+  rest(resting: boolean): void {
+    if (resting) this.video.pause();
+    else void this.video.play().catch(() => {});
   }
 
   /** Draws one moment over its picture. */

@@ -1,6 +1,7 @@
 import { css, html, LitElement, type PropertyValues } from 'lit';
-import { customElement, property, query } from 'lit/decorators.js';
+import { property, query } from 'lit/decorators.js';
 import type { RecoveredClip } from '../../engine/types.ts';
+import { element } from './element.ts';
 import { prepareCanvas } from './hi-dpi-canvas.ts';
 import { containedRect } from './letterbox.ts';
 import { paintOverlay } from './overlay-painter.ts';
@@ -12,9 +13,11 @@ import { sharedStyles } from './styles.ts';
  *
  * @fires playback with a {@link PlaybackState} as detail, when another frame is on screen and when playing starts or stops
  * @fires picture with the video's width by height as detail, once known
+ * @fires toggle when the picture is clicked
+ * @fires media with the type of each event of the `<video>` that a page may want as detail
  * @fires unplayable when the browser cannot show the file
  */
-@customElement('dw-clip-view')
+@element('dw-clip-view')
 export class ClipView extends LitElement {
   /** Object URL of the clip. */
   @property({ attribute: false }) src: string | null = null;
@@ -22,7 +25,13 @@ export class ClipView extends LitElement {
   @property({ attribute: false }) frame = 0;
   @property({ type: Boolean }) muted = true;
   @property({ type: Number }) rate = 1;
-  @query('video') private video!: HTMLVideoElement;
+  @property({ type: Number }) volume = 1;
+  @property({ attribute: false }) loop = true;
+  /** How much of the video is fetched before it plays. */
+  @property({ attribute: false }) preload: 'none' | 'metadata' | 'auto' = 'auto';
+  /** Shown as in a mirror. */
+  @property({ type: Boolean, reflect: true }) mirrored = false;
+  @query('video') readonly video!: HTMLVideoElement;
   @query('canvas') private canvas!: HTMLCanvasElement;
   /** Null until the first render. */
   playback: Playback | null = null;
@@ -32,6 +41,7 @@ export class ClipView extends LitElement {
     sharedStyles,
     css`
       :host { display: block; position: relative; background: var(--video); overflow: hidden; }
+      :host([mirrored]) { transform: scaleX(-1); }
       video, canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; }
       video { object-fit: contain; }
       canvas { pointer-events: none; }
@@ -56,13 +66,23 @@ export class ClipView extends LitElement {
       <video
         data-testid="video"
         playsinline
-        loop
-        preload="auto"
+        .loop=${this.loop}
+        .preload=${this.preload}
+        .volume=${this.volume}
         aria-label="The video"
         .muted=${this.muted}
-        @click=${() => this.playback?.toggle()}
+        @click=${() => this.dispatchEvent(new CustomEvent('toggle'))}
         @error=${() => this.dispatchEvent(new CustomEvent('unplayable'))}
         @loadedmetadata=${this.loaded}
+        @durationchange=${this.forward}
+        @play=${this.forward}
+        @pause=${this.forward}
+        @ended=${this.forward}
+        @timeupdate=${this.forward}
+        @seeking=${this.forward}
+        @seeked=${this.forward}
+        @volumechange=${this.forward}
+        @ratechange=${this.forward}
       ></video>
       <canvas data-testid="overlay" aria-hidden="true"></canvas>
     `;
@@ -82,8 +102,13 @@ export class ClipView extends LitElement {
     this.paint();
   }
 
-  private loaded(): void {
+  private forward(event: Event): void {
+    this.dispatchEvent(new CustomEvent<string>('media', { detail: event.type }));
+  }
+
+  private loaded(event: Event): void {
     this.setRate();
+    this.forward(event);
     const { videoWidth, videoHeight } = this.video;
     // A file with nothing but sound has no picture.
     if (videoHeight === 0) return;

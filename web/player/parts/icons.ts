@@ -19,6 +19,8 @@ const PATHS = {
   camera: svg`<rect x="3" y="6.5" width="12.5" height="11" rx="2"/><path d="M15.5 11l5-3v8l-5-3"/>`,
   stop: svg`<rect x="6.5" y="6.5" width="11" height="11" rx="1.5" fill="currentColor"/>`,
   record: svg`<circle cx="12" cy="12" r="6" fill="currentColor"/>`,
+  grow: svg`<path d="M9 4.5H4.5V9M15 4.5h4.5V9M9 19.5H4.5V15M15 19.5h4.5V15"/>`,
+  shrink: svg`<path d="M4.5 9H9V4.5M19.5 9H15V4.5M4.5 15H9v4.5M19.5 15H15v4.5"/>`,
   close: svg`<path d="M6 6l12 12M18 6L6 18"/>`,
   keyboard: svg`<rect x="3" y="6.5" width="18" height="11" rx="2"/><path d="M7 10h.01M11 10h.01M15 10h.01M8 14h8"/>`,
 } as const;

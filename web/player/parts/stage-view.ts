@@ -1,10 +1,11 @@
 import { css, html, LitElement, nothing, type PropertyValues } from 'lit';
-import { customElement, property, query, state } from 'lit/decorators.js';
+import { property, query, state } from 'lit/decorators.js';
 import { DeciWatchError } from '../../errors.ts';
 import { BLAZEPOSE_33 } from '../../pose/blazepose33.ts';
 import { hasPose, type PoseSequence } from '../../pose/sequence.ts';
 import type { StageView as View } from '../../stage/camera-rig.ts';
 import type { Stage, StagePose } from '../../stage/stage.ts';
+import { element } from './element.ts';
 import { icon } from './icons.ts';
 import { sharedStyles } from './styles.ts';
 import { ThemeController } from './theme.ts';
@@ -20,11 +21,19 @@ const NOT_LOADED = 'The 3D view could not be loaded; reload the page to try agai
 const TURN_DEG = 15;
 const ZOOM = 1.2;
 
-/** The 3D view of the poses, with its camera's buttons and keys. */
-@customElement('dw-stage-view')
+/**
+ * The 3D view of the poses, with its camera's buttons and keys.
+ *
+ * @fires unavailable with a DeciWatchError as detail, where there is no 3D view
+ */
+@element('dw-stage-view')
 export class StageView extends LitElement {
   @property({ attribute: false }) sequence: PoseSequence | null = null;
   @property({ attribute: false }) frame = 0;
+  /** The sequence is shown as in a mirror. */
+  @property({ attribute: false }) mirrored = false;
+  /** There is a clip, but its poses have no third dimension. */
+  @property({ attribute: false }) flat = false;
   /** Poses come one by one by {@link showPose}; as in a mirror, or as the camera sees them. */
   @property({ attribute: false }) live: 'mirrored' | 'plain' | null = null;
   @state() private view: View | null = 'angle';
@@ -37,7 +46,7 @@ export class StageView extends LitElement {
   static override styles = [
     sharedStyles,
     css`
-      :host { display: block; position: relative; background: var(--sunken); overflow: hidden; }
+      :host { display: block; position: relative; background: var(--sunken); overflow: hidden; container-type: inline-size; }
       .canvas { position: absolute; inset: 0; cursor: grab; }
       .canvas:active { cursor: grabbing; }
       .canvas:focus-visible { outline-offset: -3px; border-radius: var(--round); }
@@ -51,6 +60,10 @@ export class StageView extends LitElement {
       }
       .group button:hover { background: var(--hover); color: var(--ink); }
       .group button[aria-pressed='true'] { color: var(--ink); background: var(--pressed); font-weight: 560; }
+      @container (max-width: 18rem) {
+        .bar { left: 0.25rem; right: 0.25rem; }
+        .group button { padding: 0 0.25rem; min-width: 1.75rem; font-size: 0.75rem; }
+      }
       .hint { font-size: 0.75rem; color: var(--muted); padding: 0 0.375rem 0.375rem; }
       .message, .nobody { position: absolute; inset: 0; display: grid; place-content: center; padding: 3.5rem 2rem; text-align: center; color: var(--muted); }
       .message { background: var(--sunken); }
@@ -70,7 +83,9 @@ export class StageView extends LitElement {
         @keydown=${this.keyed}
         @pointerdown=${this.taken}
       ></div>
-      <p class="nobody ${nobody && !this.message ? 'shown' : ''}" aria-hidden=${!nobody}>Nobody seen in this frame</p>
+      <p class="nobody ${(nobody || this.flat) && !this.message ? 'shown' : ''}" aria-hidden=${!nobody && !this.flat}>
+        ${this.flat ? 'This estimator gives no 3D' : 'Nobody seen in this frame'}
+      </p>
       ${this.message ? html`<p class="message" role="status">${this.message}</p>` : this.renderBars()}
     </div>`;
   }
@@ -125,7 +140,8 @@ export class StageView extends LitElement {
       this.shownTheme = this.themes.theme;
       this.stage.setTheme(this.shownTheme);
     }
-    if (changes.has('sequence') || changes.has('live')) this.fill();
+    const refill = ['sequence', 'live', 'mirrored'] as const;
+    if (refill.some((name) => changes.has(name))) this.fill();
     else if (changes.has('frame')) this.stage.showFrame(this.frame);
   }
 
@@ -137,6 +153,7 @@ export class StageView extends LitElement {
       const { Stage } = await import('../../stage/stage.ts');
       await this.updateComplete;
       if (!this.isConnected || this.stage) return;
+      this.shownTheme = this.themes.theme;
       this.stage = new Stage(this.container, {
         theme: this.shownTheme,
         onContext: (context) => {
@@ -145,7 +162,12 @@ export class StageView extends LitElement {
       });
       this.fill();
     } catch (error) {
-      this.message = error instanceof DeciWatchError ? error.message : NOT_LOADED;
+      const detail =
+        error instanceof DeciWatchError
+          ? error
+          : new DeciWatchError('webgl-unavailable', NOT_LOADED, { cause: error });
+      this.message = detail.message;
+      this.dispatchEvent(new CustomEvent<DeciWatchError>('unavailable', { detail }));
     }
   }
 
@@ -163,7 +185,7 @@ export class StageView extends LitElement {
     if (this.live) {
       this.stage?.setLive(BLAZEPOSE_33, this.live === 'mirrored');
     } else {
-      this.stage?.setSequence(this.sequence);
+      this.stage?.setSequence(this.sequence, this.mirrored);
       this.stage?.showFrame(this.frame);
     }
   }

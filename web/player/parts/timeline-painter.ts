@@ -14,14 +14,18 @@ export interface TimelineSize {
   readonly height: number;
   /** Between the edge and the first or last frame's place: half the slider's thumb. */
   readonly inset: number;
+  /** Of the seconds beneath; 0 leaves them out. */
+  readonly labelHeight: number;
 }
-
-const LABEL_HEIGHT = 16;
 const TIME_STEPS_S = [0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800, 3600];
 const MIN_LABEL_GAP = 64;
 
 /** A frame's place along the timeline, in CSS pixels. */
-export function frameX(frame: number, frames: number, { width, inset }: TimelineSize): number {
+export function frameX(
+  frame: number,
+  frames: number,
+  { width, inset }: Pick<TimelineSize, 'width' | 'inset'>,
+): number {
   return inset + (frames > 1 ? (frame / (frames - 1)) * (width - 2 * inset) : 0);
 }
 
@@ -44,7 +48,7 @@ export function paintTimeline(
   colours: TimelineColours,
 ): void {
   const frames = sequence.times.length;
-  const bottom = size.height - LABEL_HEIGHT;
+  const bottom = size.height - size.labelHeight;
   const spacing = frames > 1 ? (size.width - 2 * size.inset) / (frames - 1) : size.width;
   const thin = Math.max(0.75, Math.min(2.5, spacing * 0.5));
   const thick = Math.max(1.25, Math.min(3.5, spacing * 0.75));
@@ -62,7 +66,7 @@ export function paintTimeline(
       context.fillRect(x - thin / 2, bottom - height, thin, height);
     }
   }
-  paintSeconds(context, sequence.times, size, colours.label);
+  if (size.labelHeight > 0) paintSeconds(context, sequence.times, size, colours.label);
 }
 
 function paintSeconds(

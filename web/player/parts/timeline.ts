@@ -1,9 +1,10 @@
 import { css, html, LitElement, nothing, type PropertyValues } from 'lit';
-import { customElement, property, query, state } from 'lit/decorators.js';
+import { property, query, state } from 'lit/decorators.js';
 import type { RecoveredClip } from '../../engine/types.ts';
 import { hasPose } from '../../pose/sequence.ts';
 import { paletteFor } from '../../stage/palette.ts';
 import { describeFrame } from './clip-words.ts';
+import { element } from './element.ts';
 import { prepareCanvas } from './hi-dpi-canvas.ts';
 import { sharedStyles } from './styles.ts';
 import { ThemeController } from './theme.ts';
@@ -11,16 +12,19 @@ import { frameX, paintTimeline } from './timeline-painter.ts';
 
 /** CSS pixels; the slider's thumb is twice this wide. */
 const INSET = 8;
+const LABEL_HEIGHT = 16;
 
 /**
  * One tick for every frame, with a slider over it.
  * @fires seek with a frame number as detail
  */
-@customElement('dw-timeline')
+@element('dw-timeline')
 export class Timeline extends LitElement {
   @property({ attribute: false }) clip: RecoveredClip | null = null;
   @property({ attribute: false }) frame = 0;
   @property({ type: Boolean }) playing = false;
+  /** Without the seconds and the legend. */
+  @property({ type: Boolean, reflect: true }) compact = false;
   @query('canvas') private canvas!: HTMLCanvasElement;
   private readonly themes = new ThemeController(this);
   private hasGaps = false;
@@ -61,6 +65,11 @@ export class Timeline extends LitElement {
       .recovered { width: 2px; height: 8px; background: var(--accent); }
       .gap { width: 10px; height: 2px; background: var(--line-strong); }
       .dot { width: 10px; height: 10px; border-radius: 50%; }
+      :host([compact]) .track { height: 2rem; }
+      :host([compact]) .cursor { bottom: 0; }
+      :host([compact]) input::-webkit-slider-thumb { height: 2rem; }
+      :host([compact]) input::-moz-range-thumb { height: 2rem; }
+      :host([compact]) .track.empty::before { inset: auto ${INSET}px 4px; }
     `,
   ];
 
@@ -83,12 +92,11 @@ export class Timeline extends LitElement {
   override render() {
     const { clip, frame } = this;
     const frames = clip?.poses2d.times.length ?? 1;
-    const x = frameX(frame, frames, { width: this.width, height: 0, inset: INSET });
-    const { sides } = paletteFor(this.themes.theme);
+    const x = frameX(frame, frames, { width: this.width, inset: INSET });
     return html`
       <div class="track ${clip ? '' : 'empty'}" data-testid="timeline">
         <canvas aria-hidden="true"></canvas>
-        ${clip ? html`<div class="cursor" style="transform: translateX(${x.toFixed(1)}px)"></div>` : nothing}
+        ${clip ? html`<div class="cursor" .style=${`transform: translateX(${x.toFixed(1)}px)`}></div>` : nothing}
         <input
           type="range"
           aria-label="Frame"
@@ -101,12 +109,20 @@ export class Timeline extends LitElement {
           @input=${this.moved}
         />
       </div>
+      ${this.compact ? nothing : this.renderLegend()}
+    `;
+  }
+
+  private renderLegend() {
+    const { sides } = paletteFor(this.themes.theme);
+    // Styles as properties: a page's content security policy may forbid style attributes.
+    return html`
       <div class="legend">
         <span><i class="watched"></i>Watched by the estimator</span>
         <span><i class="recovered"></i>Recovered</span>
         ${this.hasGaps ? html`<span><i class="gap"></i>Nobody seen</span>` : nothing}
-        <span><i class="dot" style="background: ${sides.left}"></i>Left side</span>
-        <span><i class="dot" style="background: ${sides.right}"></i>Right side</span>
+        <span><i class="dot" .style=${`background: ${sides.left}`}></i>Left side</span>
+        <span><i class="dot" .style=${`background: ${sides.right}`}></i>Right side</span>
       </div>
     `;
   }
@@ -132,12 +148,21 @@ export class Timeline extends LitElement {
     const area = prepareCanvas(this.canvas);
     if (!area || !this.clip) return;
     const style = getComputedStyle(this.canvas);
-    const colour = (name: string) => style.getPropertyValue(name);
+    // As a colour, since the property itself may hold what a canvas cannot read: `light-dark()`, say.
+    const colour = (name: string) => {
+      this.canvas.style.color = `var(${name})`;
+      return style.color;
+    };
     area.context.font = style.font;
     paintTimeline(
       area.context,
       this.clip.poses2d,
-      { width: area.width, height: area.height, inset: INSET },
+      {
+        width: area.width,
+        height: area.height,
+        inset: INSET,
+        labelHeight: this.compact ? 0 : LABEL_HEIGHT,
+      },
       {
         watched: colour('--ink'),
         recovered: colour('--accent'),

@@ -1,5 +1,6 @@
-import type { CostReport } from '../cost/report.ts';
-import { formatPercent, formatTimes } from '../player/parts/format.ts';
+import type { CostReport } from '../../cost/report.ts';
+import type { Recovery } from '../../engine/types.ts';
+import { formatPercent, formatTimes } from './format.ts';
 
 /** The counter's headline: a figure and the sentence that it begins. */
 export interface CostHeadline {
@@ -7,8 +8,21 @@ export interface CostHeadline {
   readonly sentence: string;
 }
 
-/** Says what the clip cost against watching every frame, also where it cost more. */
-export function costHeadline({ flopsRatio }: Pick<CostReport, 'flopsRatio'>): CostHeadline {
+/**
+ * Says what the clip cost against watching every frame, also where it cost more; where nobody knows an
+ * estimator's FLOPs, how often it looked.
+ */
+export function costHeadline({
+  flopsRatio,
+  estimatorCalls,
+  frames,
+}: Pick<CostReport, 'flopsRatio' | 'estimatorCalls' | 'frames'>): CostHeadline {
+  if (flopsRatio === null) {
+    return {
+      figure: formatPercent(estimatorCalls / frames),
+      sentence: 'of the frames were looked at; how many FLOPs a look takes is not known',
+    };
+  }
   const figure = formatPercent(flopsRatio);
   if (flopsRatio >= 1) {
     return {
@@ -38,17 +52,28 @@ export interface MsComparison {
   readonly everyFrameTotal: number;
 }
 
-export function compareMs({ msPerFrame, msPerEstimatorCall }: CostReport): MsComparison {
+/** @param recovery by a spline, there is no net whose milliseconds could be shown */
+export function compareMs(
+  { msPerFrame, msPerEstimatorCall }: CostReport,
+  recovery: Recovery = 'nets',
+): MsComparison {
   const decode: MsPart = { name: 'Decoding', kind: 'decode', ms: msPerFrame.decode };
   return {
     measured: [
       decode,
       { name: 'Estimator', kind: 'estimator', ms: msPerFrame.estimator },
-      { name: 'DenoiseNet', kind: 'denoise', ms: msPerFrame.denoise },
-      { name: 'RecoverNet', kind: 'recover', ms: msPerFrame.recover },
+      ...recoveryParts(msPerFrame, recovery),
     ],
     everyFrame: [decode, { name: 'Estimator', kind: 'estimator', ms: msPerEstimatorCall }],
     measuredTotal: msPerFrame.total,
     everyFrameTotal: msPerFrame.decode + msPerEstimatorCall,
   };
+}
+
+function recoveryParts({ denoise, recover }: CostReport['msPerFrame'], by: Recovery): MsPart[] {
+  if (by === 'cubic') return [{ name: 'Spline', kind: 'recover', ms: recover }];
+  return [
+    { name: 'DenoiseNet', kind: 'denoise', ms: denoise },
+    { name: 'RecoverNet', kind: 'recover', ms: recover },
+  ];
 }

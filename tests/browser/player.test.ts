@@ -1,0 +1,279 @@
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
+import '../../web/player/player.ts';
+import type {
+  DeciWatchPlayer,
+  PlayerErrorDetail,
+  PlayerEventMap,
+  PoseDetail,
+} from '../../web/player/types.ts';
+import { hasPose } from '../../web/pose/sequence.ts';
+import { fixture, walk } from './fixtures.ts';
+
+const WALK = '/samples/walk.mp4';
+const SECONDS = 1000;
+
+/** Workers that have been started and not ended. */
+const workers = new Set<Worker>();
+const unhandled: unknown[] = [];
+
+beforeEach(() => {
+  const { Worker: Real } = globalThis;
+  vi.stubGlobal(
+    'Worker',
+    class extends Real {
+      constructor(...args: ConstructorParameters<typeof Worker>) {
+        super(...args);
+        workers.add(this);
+      }
+      override terminate() {
+        super.terminate();
+        workers.delete(this);
+      }
+    },
+  );
+  addEventListener('unhandledrejection', keep);
+});
+
+afterEach(async () => {
+  document.body.replaceChildren();
+  await expect.poll(() => workers.size).toBe(0);
+  vi.unstubAllGlobals();
+  vi.restoreAllMocks();
+  removeEventListener('unhandledrejection', keep);
+  expect(unhandled.splice(0)).toEqual([]);
+});
+
+function keep(event: PromiseRejectionEvent): void {
+  unhandled.push(event.reason);
+}
+
+function mount(attributes: Record<string, string>, parent: Element = document.body) {
+  const player = document.createElement('deciwatch-player');
+  const errors: PlayerErrorDetail[] = [];
+  const poses: PoseDetail[] = [];
+  player.addEventListener('error', ({ detail }) => errors.push(detail));
+  player.addEventListener('pose', ({ detail }) => poses.push(detail));
+  for (const [name, value] of Object.entries({ estimator: 'lite', muted: '', ...attributes })) {
+    player.setAttribute(name, value);
+  }
+  parent.append(player);
+  return { player, errors, poses };
+}
+
+function when<K extends keyof PlayerEventMap>(player: DeciWatchPlayer, type: K) {
+  return new Promise<PlayerEventMap[K]['detail']>((resolve) => {
+    player.addEventListener(type, ({ detail }) => resolve(detail), { once: true });
+  });
+}
+
+function shownText(player: DeciWatchPlayer, part: string): string {
+  return player.shadowRoot!.querySelector(`[part=${part}]`)?.textContent?.trim() ?? '';
+}
+
+describe('a clip', () => {
+  test('is played with a pose event for every frame, in order, once', async () => {
+    const { player, errors, poses } = mount({ src: WALK, view: 'overlay' });
+    const stages: string[] = [];
+    player.addEventListener('progress', ({ detail }) => stages.push(detail.stage));
+    const loaded = when(player, 'load');
+    const cost = when(player, 'cost');
+    expect(player.paused).toBe(true);
+    void player.play();
+    const clip = await loaded;
+    expect(clip.interval).toBe(10);
+    expect(player.poses).toBe(clip.poses2d);
+    expect(player.poses3d).toBe(clip.poses3d);
+    expect(await cost).toBe(clip.cost);
+    expect(new Set(stages)).toEqual(new Set(['loading', 'watching', 'recovering']));
+    expect(player.duration).toBeCloseTo(4.2, 1);
+    await vi.waitUntil(() => player.ended, { timeout: 40 * SECONDS });
+
+    const { times, watched } = clip.poses2d;
+    expect(poses.map(({ frame }) => frame)).toEqual([...times.keys()]);
+    expect(poses.map(({ time }) => time)).toEqual([...times]);
+    expect(poses.map((pose) => pose.watched)).toEqual(Array.from(watched, Boolean));
+    expect(poses.every(({ keypoints }) => keypoints?.length === 66)).toBe(true);
+    expect(poses.every(({ keypoints3d }) => keypoints3d?.length === 99)).toBe(true);
+    expect(player.paused).toBe(true);
+    expect(errors).toEqual([]);
+
+    // Another N: recovered again, without the clip being fetched again.
+    const fetched = vi.spyOn(globalThis, 'fetch');
+    const again = when(player, 'load');
+    player.every = 5;
+    expect((await again).interval).toBe(5);
+    expect(player.getAttribute('every')).toBe('5');
+    expect(
+      fetched.mock.calls.map(([url]) => String(url)).filter((url) => /walk/.test(url)),
+    ).toEqual([]);
+  });
+
+  test('that is in the page already is played too, from where currentTime says', async () => {
+    const { player, poses } = mount({ view: 'overlay' });
+    player.srcObject = await walk();
+    player.currentTime = 2;
+    await player.load();
+    await vi.waitUntil(() => poses.some(({ frame }) => frame === 60), { timeout: 30 * SECONDS });
+    expect(player.currentTime).toBeCloseTo(2, 2);
+    expect(player.paused).toBe(true);
+  });
+
+  test('without anybody in it is an error; with nobody in some frames it is none', async () => {
+    const { player, errors } = mount({ src: '/tests/fixtures/empty-room.mp4', view: 'overlay' });
+    await player.load();
+    expect(errors.map(({ type }) => type)).toEqual(['nobody-in-view']);
+
+    const { player: other, poses } = mount({ src: '/tests/fixtures/gap.mp4', view: 'overlay' });
+    await other.load();
+    const empty = [...other.poses!.times.keys()].find((frame) => !hasPose(other.poses!, frame))!;
+    other.currentTime = other.poses!.times[empty]!;
+    await vi.waitUntil(() => poses.some(({ frame }) => frame === empty), { timeout: 30 * SECONDS });
+    expect(poses.find(({ frame }) => frame === empty)).toMatchObject({
+      keypoints: null,
+      scores: null,
+    });
+  });
+});
+
+describe('an error', () => {
+  const odd = async () => {
+    // The same file, said to be encoded as something that does not exist.
+    const bytes = new Uint8Array(await (await fixture('barcode.webm')).arrayBuffer());
+    const at = new TextDecoder('latin1').decode(bytes).indexOf('V_VP9');
+    bytes.set(new TextEncoder().encode('V_XYZ'), at);
+    return URL.createObjectURL(new Blob([bytes]));
+  };
+
+  test.each<[string, Record<string, string>, PlayerErrorDetail['type']]>([
+    ['a missing clip', { src: '/tests/fixtures/nowhere.mp4' }, 'file-missing'],
+    ['another host that does not answer', { src: 'http://127.0.0.1:1/a.mp4' }, 'file-missing'],
+    ['a codec that the browser lacks', { src: 'odd' }, 'codec-unsupported'],
+    ['a file that was cut off', { src: '/tests/fixtures/truncated.mp4' }, 'file-truncated'],
+    ['a damaged file', { src: '/tests/fixtures/corrupt.mp4' }, 'file-unreadable'],
+    ['a file without a picture', { src: '/tests/fixtures/audio-only.mp4' }, 'no-video-track'],
+    ['missing models', { src: WALK, models: '/nowhere' }, 'model-missing'],
+    [
+      'models of something else',
+      { src: WALK, models: '/tests/fixtures/foreign/' },
+      'model-mismatch',
+    ],
+    ['an interval that is none', { src: WALK, every: '0' }, 'bad-option'],
+    ['an estimator that is none', { src: WALK, estimator: 'huge' }, 'bad-option'],
+    ['no address at all', { src: 'http://' }, 'bad-option'],
+  ])('%s: one event of its type, and a sentence in the player', async (_, attributes, type) => {
+    const src = attributes.src === 'odd' ? await odd() : attributes.src!;
+    const { player, errors } = mount({ ...attributes, src, view: 'overlay', autoplay: '' });
+    await vi.waitUntil(() => errors.length > 0, { timeout: 30 * SECONDS });
+    expect(errors).toHaveLength(1);
+    expect(errors[0]).toMatchObject({ type, fatal: true });
+    expect(player.error).toBe(errors[0]);
+    expect(player.paused).toBe(true);
+    await (player as DeciWatchPlayer & { updateComplete: Promise<unknown> }).updateComplete;
+    expect(shownText(player, 'error')).toContain(errors[0]!.message);
+    // Whoever asks again is answered again, and not by an exception.
+    await player.play();
+    expect(errors).toHaveLength(2);
+  });
+
+  test('a clip whose download breaks off half way', async () => {
+    const real = globalThis.fetch;
+    vi.spyOn(globalThis, 'fetch').mockImplementation(async (url, init) => {
+      const response = await real(url, init);
+      if (!String(url).endsWith(WALK)) return response;
+      const body = new ReadableStream({
+        start(controller) {
+          controller.enqueue(new Uint8Array(1000));
+          controller.error(new TypeError('network error'));
+        },
+      });
+      return new Response(body, { headers: { 'content-type': 'video/mp4' } });
+    });
+    const { player, errors } = mount({ src: WALK, view: 'overlay' });
+    await player.load();
+    expect(errors.map(({ type }) => type)).toEqual(['file-truncated']);
+  });
+
+  test('the 3D view refused: told once, and the rest plays', async () => {
+    const real = HTMLCanvasElement.prototype.getContext;
+    vi.spyOn(HTMLCanvasElement.prototype, 'getContext').mockImplementation(function (
+      this: HTMLCanvasElement,
+      ...args: unknown[]
+    ) {
+      if (String(args[0]).startsWith('webgl')) return null;
+      return Reflect.apply(real, this, args);
+    } as typeof real);
+    const { player, errors, poses } = mount({ src: WALK, view: 'both' });
+    await player.play();
+    await vi.waitUntil(() => poses.length > 20, { timeout: 30 * SECONDS });
+    expect(errors).toHaveLength(1);
+    expect(errors[0]).toMatchObject({ type: 'webgl-unavailable', fatal: false });
+    expect(shownText(player, 'notice')).toContain(errors[0]!.message);
+  });
+
+  test('no camera', async () => {
+    const { player, errors } = mount({ camera: '', view: 'overlay' });
+    await player.play();
+    expect(errors).toHaveLength(1);
+    expect(errors[0]!.type).toMatch(/^camera-/);
+    expect(shownText(player, 'error')).toContain(errors[0]!.message);
+  });
+});
+
+describe('players on a page', () => {
+  test('share one worker, and free it when the last one goes', async () => {
+    const first = mount({ src: WALK, view: 'overlay' });
+    const second = mount({ src: '/tests/fixtures/gap.mp4', view: 'overlay' });
+    await Promise.all([first.player.load(), second.player.load()]);
+    expect(workers.size).toBe(1);
+    first.player.remove();
+    await Promise.resolve();
+    expect(workers.size).toBe(1);
+    expect(first.player.clip).toBe(null);
+    // Moved, not removed: it keeps what it has.
+    const place = document.createElement('div');
+    document.body.append(place);
+    place.append(second.player);
+    await new Promise((resolve) => setTimeout(resolve));
+    expect(workers.size).toBe(1);
+    expect(second.player.clip).not.toBe(null);
+  });
+
+  test('rest while they are out of sight, and go on in it', async () => {
+    const { player, poses } = mount({ src: WALK, view: 'overlay', loop: '' });
+    await player.play();
+    await vi.waitUntil(() => poses.length > 5, { timeout: 40 * SECONDS });
+    player.style.display = 'none';
+    const video = player
+      .shadowRoot!.querySelector('dw-clip-view')!
+      .shadowRoot!.querySelector('video')!;
+    await vi.waitUntil(() => video.paused, { timeout: 5 * SECONDS });
+    expect(player.paused).toBe(false);
+    player.style.display = '';
+    await vi.waitUntil(() => !video.paused, { timeout: 5 * SECONDS });
+  });
+
+  test('fetch nothing but a first picture until they are wanted', async () => {
+    const fetched = vi.spyOn(globalThis, 'fetch');
+    const { player } = mount({ src: WALK });
+    await vi.waitUntil(() => player.videoWidth > 0, { timeout: 30 * SECONDS });
+    expect(fetched).not.toHaveBeenCalled();
+    expect(workers.size).toBe(0);
+  });
+
+  test('with autoplay stand still where less motion is asked for', async () => {
+    const real = globalThis.matchMedia;
+    vi.spyOn(globalThis, 'matchMedia').mockImplementation((query) =>
+      query.includes('reduced-motion')
+        ? ({
+            matches: true,
+            addEventListener() {},
+            removeEventListener() {},
+          } as unknown as MediaQueryList)
+        : real(query),
+    );
+    const { player } = mount({ src: WALK, autoplay: '', view: 'overlay' });
+    await when(player, 'load');
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    expect(player.paused).toBe(true);
+  });
+});

@@ -1,0 +1,53 @@
+import { DeciWatchError } from '../errors.ts';
+
+/** A clip and what to call it. */
+export interface FetchedClip {
+  readonly blob: Blob;
+  readonly name: string;
+}
+
+/**
+ * Fetches a clip whole.
+ * @throws DeciWatchError `file-missing` or `file-truncated`; the signal's reason when aborted
+ */
+export async function fetchClip(url: URL, signal: AbortSignal): Promise<FetchedClip> {
+  const name = nameOf(url);
+  const missing = (why: string, cause?: unknown) =>
+    new DeciWatchError(
+      'file-missing',
+      `${name} could not be loaded (${why}): check its address, the connection, and that its host allows other pages to read it (CORS).`,
+      { cause },
+    );
+  let response: Response;
+  try {
+    response = await fetch(url, { signal });
+  } catch (error) {
+    signal.throwIfAborted();
+    throw missing('no answer', error);
+  }
+  if (!response.ok) throw missing(`status ${response.status}`);
+  // Many servers answer with their start page where a file is missing.
+  if (response.headers.get('content-type')?.startsWith('text/html'))
+    throw missing('a web page came');
+  try {
+    return { blob: await response.blob(), name };
+  } catch (cause) {
+    signal.throwIfAborted();
+    throw new DeciWatchError(
+      'file-truncated',
+      `${name} stopped coming half way: check the connection, and try again.`,
+      { cause },
+    );
+  }
+}
+
+/** The last part of an address, as people know the file: `clip.mp4`. */
+export function nameOf(url: URL): string {
+  if (url.protocol === 'data:' || url.protocol === 'blob:') return 'The clip';
+  const last = url.pathname.split('/').at(-1) ?? '';
+  try {
+    return decodeURIComponent(last) || url.host;
+  } catch {
+    return last;
+  }
+}
