@@ -73,6 +73,8 @@ async function main(): Promise<void> {
     check('npx', ['biome', 'check', '.']),
     check('npx', ['tsc', '--noEmit']),
     check('npm', ['run', 'docs:api', '--', '--check']),
+    // The built site keeps its budgets.
+    check('npx', ['tsx', 'web/cli/build.ts', '--budgets-only', '--out', join(reports, 'site')]),
     vitest('unit'),
     vitest('browser'),
     vitest('e2e'),

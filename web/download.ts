@@ -1,4 +1,5 @@
 import * as v from 'valibot';
+import { sha256, versionQuery } from './digest.ts';
 import { DeciWatchError } from './errors.ts';
 
 /** What a manifest says of a file beside it. */
@@ -87,7 +88,7 @@ export async function fetchListed(
 ): Promise<Uint8Array<ArrayBuffer>> {
   const url = new URL(set.files?.[entry.file] ?? entry.file, set.manifest);
   // Another file has another address: no cache answers with the one of an earlier release.
-  if (url.protocol.startsWith('http')) url.search = entry.sha256.slice(0, 16);
+  if (url.protocol.startsWith('http')) url.search = versionQuery(entry.sha256);
   const response = await get(url, signal);
   const bytes = new Uint8Array(await response.arrayBuffer());
   const mismatch = (why: string) =>
@@ -98,10 +99,8 @@ export async function fetchListed(
   if (bytes.length !== entry.bytes) {
     throw mismatch(`${bytes.length} bytes instead of ${entry.bytes}`);
   }
-  if (globalThis.crypto?.subtle) {
-    const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes));
-    const hex = Array.from(digest, (byte) => byte.toString(16).padStart(2, '0')).join('');
-    if (hex !== entry.sha256) throw mismatch('another SHA-256');
+  if (globalThis.crypto?.subtle && (await sha256(bytes)) !== entry.sha256) {
+    throw mismatch('another SHA-256');
   }
   return bytes;
 }

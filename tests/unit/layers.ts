@@ -4,6 +4,7 @@
  */
 export const LAYERS: readonly string[] = [
   'errors.ts',
+  'digest.ts',
   'pose',
   'sampling',
   'download.ts',

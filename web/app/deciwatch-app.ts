@@ -210,7 +210,8 @@ export class DeciWatchApp extends LitElement {
 
   protected override updated(_changes: PropertyValues<this>): void {
     const { dataset } = document.documentElement;
-    const { clip, job, error } = this.desk;
+    const { clip, job, error, settings } = this.desk;
+    dataset.estimator = settings.estimator;
     dataset.state = this.live.on
       ? 'live'
       : pageState(job?.progress ?? null, error !== '', clip !== null);

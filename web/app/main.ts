@@ -1,2 +1,3 @@
 import './app.css';
 import './deciwatch-app.ts';
+import './offline/keep-offline.ts';

@@ -2,7 +2,8 @@ import { rmSync } from 'node:fs';
 import { mkdtemp } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { build, preview } from 'vite';
+import { build, type InlineConfig, preview, type Rolldown } from 'vite';
+import { type Bundle, describeBundle } from './build/bundle.ts';
 
 export const PROJECT_ROOT = resolve(import.meta.dirname, '../..');
 
@@ -11,6 +12,28 @@ export interface Site {
   /** Ends in a slash. */
   readonly url: string;
   close(): Promise<void>;
+}
+
+/** Under a test runner, which says so in NODE_ENV, Vite would make a development build. */
+async function buildAsShipped(config: InlineConfig): ReturnType<typeof build> {
+  const { NODE_ENV } = process.env;
+  process.env.NODE_ENV = 'production';
+  try {
+    return await build(config);
+  } finally {
+    if (NODE_ENV === undefined) delete process.env.NODE_ENV;
+    else process.env.NODE_ENV = NODE_ENV;
+  }
+}
+
+/** Builds the whole site into a folder, which is emptied first: the demo, the widget, the models. */
+export async function buildSite(outDir: string): Promise<Bundle> {
+  const built = await buildAsShipped({
+    root: PROJECT_ROOT,
+    logLevel: 'warn',
+    build: { outDir, emptyOutDir: true },
+  });
+  return describeBundle((built as Rolldown.RolldownOutput).output);
 }
 
 /**
@@ -24,7 +47,7 @@ export async function buildAndServe(page: string, allowedHosts: string[] = []): 
   // Interrupted, a command ends without closing what it opened.
   process.once('exit', remove);
   try {
-    await build({
+    await buildAsShipped({
       root: PROJECT_ROOT,
       logLevel: 'error',
       build: { outDir, emptyOutDir: true, rollupOptions: { input: join(PROJECT_ROOT, page) } },
