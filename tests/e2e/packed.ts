@@ -35,7 +35,9 @@ export function packedPackage(): Promise<string> {
 
 async function pack(): Promise<string> {
   const into = await folder('tarball');
-  await run('npm', ['run', 'build:lib'], { cwd: PROJECT_ROOT });
+  // Vitest's own NODE_ENV would give the development builds of what is bundled.
+  const env = { ...process.env, NODE_ENV: 'production' };
+  await run('npm', ['run', 'build:lib'], { cwd: PROJECT_ROOT, env });
   // The build above is what `prepack` would do.
   const { stdout } = await run(
     'npm',
