@@ -1,14 +1,21 @@
 import { defaultClientConditions, defineConfig } from 'vite';
+import { examplesPlugin } from './web/cli/build/examples-plugin.ts';
+import { noMissingMap } from './web/cli/build/no-missing-map.ts';
 import { offlinePlugin } from './web/cli/build/offline-plugin.ts';
-import { widgetInDev } from './web/cli/build/widget-in-dev.ts';
 
-const WIDGET = '/web/player/player.ts';
-const WIDGET_NAME = 'widget';
+/** Named in other people's pages: they keep their names from release to release. */
+const LASTING = {
+  'widget.js': '/web/player/player.ts',
+  'library.js': '/web/player/library.ts',
+} as const;
+
+const nameOf = (file: string) => file.replace('.js', '');
+const lastingInputs = Object.entries(LASTING).map(([file, source]) => [nameOf(file), `.${source}`]);
 
 export default defineConfig({
   // Relative, so that the built site works from any folder of any host.
   base: './',
-  plugins: [widgetInDev(WIDGET), offlinePlugin()],
+  plugins: [examplesPlugin(LASTING), offlinePlugin(), noMissingMap()],
   // One file, which names no other: it can be copied, renamed and started from another origin.
   worker: { format: 'es', rollupOptions: { output: { codeSplitting: false } } },
   resolve: {
@@ -21,13 +28,12 @@ export default defineConfig({
     chunkSizeWarningLimit: 1000,
     reportCompressedSize: false,
     rollupOptions: {
-      input: { demo: 'index.html', [WIDGET_NAME]: `.${WIDGET}` },
-      // What player.ts exports can be imported from widget.js.
+      input: { demo: 'index.html', ...Object.fromEntries(lastingInputs) },
+      // What they export can be imported by those names.
       preserveEntrySignatures: 'exports-only',
       output: {
-        // Named in other people's pages: it keeps its name from release to release.
         entryFileNames: ({ name }) =>
-          name === WIDGET_NAME ? 'widget.js' : 'assets/[name]-[hash].js',
+          `${name}.js` in LASTING ? '[name].js' : 'assets/[name]-[hash].js',
       },
     },
   },
@@ -37,9 +43,9 @@ export default defineConfig({
   },
   optimizeDeps: {
     entries: ['*.html', 'web/**/*.html'],
-    // Left as it is: it is bundled already, and finds files of its own.
-    exclude: ['onnxruntime-web'],
+    // Left as they are: bundled already, and loaded by their address.
+    exclude: ['onnxruntime-web', '@mediapipe/tasks-vision'],
     // Reached only from the worker or by a dynamic import: found late, they would reload the page.
-    include: ['@mediapipe/tasks-vision', 'comlink', 'mediabunny', 'valibot'],
+    include: ['comlink', 'mediabunny', 'valibot'],
   },
 });

@@ -8,7 +8,7 @@ export async function seriousFindings(page: Page): Promise<string[]> {
     // By the debugging protocol, which no content security policy concerns.
     await frame.evaluate(axe.source);
     const { violations } = await frame.evaluate(() =>
-      window.axe.run({ iframes: false }, { resultTypes: ['violations'] }),
+      window.axe.run(document, { iframes: false, resultTypes: ['violations'] }),
     );
     const serious = violations.filter(
       ({ impact }) => impact === 'serious' || impact === 'critical',

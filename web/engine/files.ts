@@ -1,5 +1,6 @@
 import poseLoader from '@mediapipe/tasks-vision/vision_wasm_module_internal.js?url';
 import poseWasm from '@mediapipe/tasks-vision/vision_wasm_module_internal.wasm?url';
+import poseLibrary from '@mediapipe/tasks-vision?url';
 import runtimeModule from 'onnxruntime-web/ort-wasm-simd-threaded.mjs?url';
 import runtimeWasm from 'onnxruntime-web/ort-wasm-simd-threaded.wasm?url';
 import estimatorManifest from '/estimators/manifest.json?url';
@@ -38,7 +39,7 @@ const own = (url: string) => new URL(url, HERE).href;
 export function engineFiles(models?: string | URL): EngineFiles {
   return {
     runtime: { mjs: own(runtimeModule), wasm: own(runtimeWasm) },
-    mediapipe: { loader: own(poseLoader), wasm: own(poseWasm) },
+    mediapipe: { library: own(poseLibrary), loader: own(poseLoader), wasm: own(poseWasm) },
     ...(models === undefined ? ownModels() : modelsIn(models)),
   };
 }

@@ -3,8 +3,9 @@ import { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
 import type { EstimatorImage, PoseEstimator, SpatialEstimate } from './estimator.ts';
 import { imageSize } from './image-size.ts';
 
-/** Where MediaPipe's WebAssembly and its loader are: absolute addresses. */
+/** Where MediaPipe's library, its WebAssembly and the loader of that are: absolute addresses. */
 export interface MediaPipeFiles {
+  readonly library: string;
   readonly loader: string;
   readonly wasm: string;
 }
@@ -56,7 +57,10 @@ export class MediaPipeEstimator implements PoseEstimator {
 
   /** Loads the WebAssembly (once for each call) and the bundle. */
   static async create(model: MediaPipeModel): Promise<MediaPipeEstimator> {
-    const { PoseLandmarker } = await import('@mediapipe/tasks-vision');
+    // Not bundled: who brings an estimator of their own has no need of it.
+    const { PoseLandmarker }: typeof import('@mediapipe/tasks-vision') = await import(
+      /* @vite-ignore */ model.files.library
+    );
     // MediaPipe would import the loader itself, and read the factory that it leaves in the global
     // scope. A module runs once only, so that fails from the second estimator on.
     const loader: { default: ModuleFactory } = await import(/* @vite-ignore */ model.files.loader);
