@@ -11,6 +11,8 @@ const FOLDERS = ['models', 'estimators'];
  */
 const STRICT = '"use strict";';
 
+const SOURCE_MAP = /^\/\/# sourceMappingURL=.*$/m;
+
 /** Puts the models and their licences beside the modules, under the names that their manifests give. */
 export function libFiles(): Plugin {
   let publicDir = '';
@@ -22,7 +24,9 @@ export function libFiles(): Plugin {
     generateBundle(_, bundle) {
       for (const output of Object.values(bundle)) {
         if (output.type === 'asset' && output.fileName.endsWith('.js')) {
-          output.source = `${STRICT}\n${Buffer.from(output.source)}`;
+          // A map that does not come with it would only be missed.
+          const code = Buffer.from(output.source).toString().replace(SOURCE_MAP, '');
+          output.source = `${STRICT}\n${code}`;
         }
       }
     },
