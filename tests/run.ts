@@ -72,6 +72,7 @@ async function main(): Promise<void> {
   const counts = [
     check('npx', ['biome', 'check', '.']),
     check('npx', ['tsc', '--noEmit']),
+    check('npm', ['run', 'docs:api', '--', '--check']),
     // The built site keeps its budgets.
     check('npx', ['tsx', 'web/cli/build.ts', '--budgets-only', '--out', join(reports, 'site')]),
     vitest('unit'),

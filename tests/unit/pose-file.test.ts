@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { Ajv2020 } from 'ajv/dist/2020.js';
-import { describe, expect, it } from 'vitest';
+import type { InferOutput } from 'valibot';
+import { describe, expect, expectTypeOf, it } from 'vitest';
 import type { RecoveredClip } from '../../web/engine/types.ts';
 import { DeciWatchError } from '../../web/errors.ts';
 import {
@@ -11,6 +12,7 @@ import {
   stringifyPoseFile,
   toPoseFile,
 } from '../../web/formats/pose-file.ts';
+import type { PoseFileSchema } from '../../web/formats/pose-file-schema.ts';
 import type { PoseSequence } from '../../web/pose/sequence.ts';
 import { pick, seededRandom } from './random.ts';
 import { recoveredClip } from './recovered-clip.ts';
@@ -43,6 +45,11 @@ function spatial<T extends { readonly poses3d: PoseSequence | null }>(poses: T) 
   expect(poses.poses3d).not.toBeNull();
   return { ...poses, poses3d: poses.poses3d! };
 }
+
+it('has a type that says all that the schema checks', () => {
+  // The other direction is held where the schema is written.
+  expectTypeOf<PoseFile>().toExtend<InferOutput<typeof PoseFileSchema>>();
+});
 
 describe('a written file', () => {
   it('is named after its clip', () => {

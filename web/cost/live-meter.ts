@@ -13,10 +13,11 @@ interface Watched {
   readonly recoverFlops: number;
 }
 
-/** What live playback costs and how late it is, over the last seconds. */
+/** What live playback costs and how late it is, over the last ten seconds. */
 export interface LiveReport {
-  /** Camera frames, and how many of them the estimator looked at. */
+  /** Camera frames, those that were missed included. */
   readonly frames: number;
+  /** How many of them the estimator looked at. */
   readonly estimatorCalls: number;
   /** Camera frames whose skeleton was drawn. */
   readonly shown: number;
@@ -26,10 +27,13 @@ export interface LiveReport {
   readonly frameRate: number;
   /** FLOPs for one camera frame; recover includes what looks ahead. */
   readonly flopsPerFrame: CostParts;
+  /** FLOPs for one frame if the estimator watched every frame. */
   readonly everyFrameFlopsPerFrame: number;
+  /** `flopsPerFrame.total / everyFrameFlopsPerFrame`. */
   readonly flopsRatio: number;
   /** Milliseconds of the worker for one camera frame. */
   readonly msPerFrame: CostParts;
+  /** The mean estimator call, in milliseconds. */
   readonly msPerEstimatorCall: number;
   /** Milliseconds from a frame's capture until its skeleton was drawn: median and 95th percentile. */
   readonly delayMs: { readonly median: number; readonly p95: number };

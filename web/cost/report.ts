@@ -1,14 +1,20 @@
 /** FLOPs (2 × multiply-accumulates) or milliseconds of the three parts of equation 5. */
 export interface CostParts {
+  /** The pose estimator. */
   readonly estimator: number;
+  /** DenoiseNet. */
   readonly denoise: number;
+  /** RecoverNet. */
   readonly recover: number;
+  /** Of these. */
   readonly total: number;
 }
 
 /** What a clip cost, against watching every frame of it with the same estimator. */
 export interface CostReport {
+  /** T. */
   readonly frames: number;
+  /** Frames that were watched. */
   readonly estimatorCalls: number;
   /** Equation 5 of the paper: mean FLOPs for one frame of the clip. */
   readonly flopsPerFrame: CostParts;

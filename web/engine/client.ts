@@ -14,13 +14,16 @@ import { WorkerLife } from './worker-life.ts';
 /** For those who serve the models from elsewhere, or their own. */
 export interface EngineOptions {
   /**
-   * A folder that holds `models/` and `estimators/`, each with its `manifest.json`, as the package does;
-   * relative to the page. Unless given, the folder of this module.
+   * Address of a folder that holds `models/` and `estimators/`, each with its `manifest.json`, as the
+   * package's `lib/` does; relative to the page. Unless given, the files beside this module.
    */
   readonly models?: string | URL;
 }
 
-/** Makes an engine. Its worker starts with the first clip, and is started anew after a crash. */
+/**
+ * Makes an engine. Nothing is fetched until the first clip or camera: then its worker starts and the models
+ * come, and both are kept until {@link Engine.close}. After a crash a new worker is started.
+ */
 export function createEngine(options: EngineOptions = {}): Engine {
   return new WorkerEngine(engineFiles(options.models));
 }

@@ -26,7 +26,10 @@ export interface EngineFiles {
   readonly estimators: FileSet;
 }
 
-const own = (url: string) => new URL(url, import.meta.url).href;
+// In a constant: where an unknown address meets `import.meta.url` itself, webpack puts a search of its own.
+const HERE = import.meta.url;
+
+const own = (url: string) => new URL(url, HERE).href;
 
 /**
  * The engine's files: beside this module, or where `models` says. Each is named here, on the page's side

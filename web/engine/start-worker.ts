@@ -1,11 +1,14 @@
 import workerUrl from './worker.ts?worker&url';
 
+/** In a constant for webpack's sake: see `files.ts`. */
+const HERE = import.meta.url;
+
 /**
  * Starts the engine's worker. A browser starts a worker only from the page's own origin; for a widget
  * that comes from another one, a worker of the page's own imports it.
  */
 export function startWorker(): Worker {
-  const url = new URL(workerUrl, import.meta.url);
+  const url = new URL(workerUrl, HERE);
   if (url.origin === location.origin) return new Worker(url, { type: 'module', name: 'deciwatch' });
   return new Worker(importing(url), { type: 'module', name: 'deciwatch' });
 }

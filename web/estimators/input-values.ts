@@ -10,8 +10,10 @@ export interface InputFormat {
   readonly layout: 'nchw' | 'nhwc';
 }
 
-/** ImageNet's mean and deviation, which most pose models are trained with. */
+/** ImageNet's mean of red, green and blue, 0 to 255, which most pose models are trained with. */
 export const IMAGENET_MEAN = [123.675, 116.28, 103.53] as const;
+
+/** ImageNet's deviation of red, green and blue, of channels from 0 to 255. */
 export const IMAGENET_STD = [58.395, 57.12, 57.375] as const;
 
 /**

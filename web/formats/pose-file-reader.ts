@@ -1,6 +1,7 @@
 import * as v from 'valibot';
 import { DeciWatchError } from '../errors.ts';
-import { type PoseFile, type PoseFileFrame, PoseFileSchema } from './pose-file-schema.ts';
+import { PoseFileSchema } from './pose-file-schema.ts';
+import type { PoseFile, PoseFileFrame } from './pose-file-types.ts';
 
 /**
  * Takes a pose file apart that may come from anywhere.

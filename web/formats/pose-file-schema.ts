@@ -1,5 +1,6 @@
 import * as v from 'valibot';
 import type { Recovery } from '../engine/types.ts';
+import type { PoseFile } from './pose-file-types.ts';
 
 /** What the first field of every pose file says. */
 export const POSE_FILE_FORMAT = 'deciwatch-poses/1';
@@ -41,17 +42,11 @@ const cost = v.object(
 const frame = v.object(
   {
     index: whole(0),
-    /** Seconds: the video file's own timestamp. */
     time: finite,
     watched: v.boolean('true or false'),
-    /** Pixels of the picture as displayed, origin top left; null where nobody was seen. */
     keypoints2d: v.nullable(
       v.array(v.strictTuple([finite, finite], 'a list [x, y]'), 'a list of [x, y], or null'),
     ),
-    /**
-     * Metres relative to the mid-hip: x right, y up, z towards the camera; null as above, or in all
-     * frames where the estimator gives no 3D.
-     */
     keypoints3d: v.nullable(
       v.array(
         v.strictTuple([finite, finite, finite], 'a list [x, y, z]'),
@@ -63,7 +58,7 @@ const frame = v.object(
   'an object',
 );
 
-/** The shape of a pose file, as `docs/pose-file.md` explains it. Fields not named here are ignored. */
+/** {@link PoseFile} as it is checked; the two must say the same. */
 export const PoseFileSchema = v.object(
   {
     format: v.literal(POSE_FILE_FORMAT, `"${POSE_FILE_FORMAT}"`),
@@ -100,10 +95,4 @@ export const PoseFileSchema = v.object(
     frames: v.pipe(v.array(frame, 'a list of frames'), v.minLength(1, 'at least one frame')),
   },
   'an object',
-);
-
-/** A pose file, as JSON holds it. */
-export type PoseFile = v.InferOutput<typeof PoseFileSchema>;
-
-/** One frame of a pose file. */
-export type PoseFileFrame = PoseFile['frames'][number];
+) satisfies v.GenericSchema<unknown, PoseFile>;

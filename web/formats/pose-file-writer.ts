@@ -1,6 +1,7 @@
 import type { RecoveredClip } from '../engine/types.ts';
 import { hasPose, type PoseSequence, poseAt } from '../pose/sequence.ts';
-import { POSE_FILE_FORMAT, type PoseFile, type PoseFileFrame } from './pose-file-schema.ts';
+import { POSE_FILE_FORMAT } from './pose-file-schema.ts';
+import type { PoseFile, PoseFileFrame } from './pose-file-types.ts';
 
 /** Decimals kept: 2D to 0.01 px, 3D to 0.1 mm, times to 1 µs. */
 const DECIMALS_2D = 2;
@@ -8,7 +9,7 @@ const DECIMALS_3D = 4;
 const DECIMALS_TIME = 6;
 const DECIMALS_SCORE = 3;
 
-/** A recovered clip as a pose file. */
+/** A recovered clip as a pose file: values rounded to 0.01 px, 0.1 mm and 1 µs. */
 export function toPoseFile(clip: RecoveredClip): PoseFile {
   const { source, estimator, cost } = clip;
   const { name, joints, bones } = clip.poses2d.skeleton;

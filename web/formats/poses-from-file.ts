@@ -1,6 +1,6 @@
 import type { Dimensions, PoseSequence } from '../pose/sequence.ts';
 import { skeletonFrom } from '../pose/skeleton.ts';
-import type { PoseFile } from './pose-file-schema.ts';
+import type { PoseFile } from './pose-file-types.ts';
 
 /**
  * The sequences in a pose file that `parsePoseFile` has let through. What the file leaves out of the

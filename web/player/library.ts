@@ -1,7 +1,12 @@
 /**
  * The library `deciwatch-web`: the engine, its parts, pose files and metrics. Importing it does nothing
  * by itself; `deciwatch-web/player` is the element.
+ *
+ * The headings here and in `poses.ts` are those of the API reference (`docs/api.md`), in this order.
  */
+
+// # Recovering a clip
+
 export { createEngine, type EngineOptions } from '../engine/client.ts';
 export type {
   ClipInfo,
@@ -12,7 +17,14 @@ export type {
   RecoverStage,
   Recovery,
 } from '../engine/types.ts';
-export { DeciWatchError, type DeciWatchErrorCode } from '../errors.ts';
+export { DEFAULT_INTERVAL, MAX_INTERVAL, MIN_INTERVAL } from '../sampling/watched.ts';
+
+// # Estimators
+
+export { DEFAULT_ESTIMATOR, ESTIMATOR_NAMES, type EstimatorName } from '../estimators/names.ts';
+
+// # Your own estimator
+
 export { type Box, type Crop, cropTo, type Size, toInput, toPicture } from '../estimators/crop.ts';
 export type {
   EstimatorImage,
@@ -27,7 +39,6 @@ export {
   type InputFormat,
   inputValues,
 } from '../estimators/input-values.ts';
-export { ESTIMATOR_NAMES, type EstimatorName } from '../estimators/names.ts';
 export {
   type FindPerson,
   type OnnxEstimatorOptions,
@@ -44,8 +55,23 @@ export {
   type RecordedPoses,
 } from '../estimators/recorded.ts';
 export { decodeSimcc } from '../estimators/simcc.ts';
-export { BLAZEPOSE_33 } from '../pose/blazepose33.ts';
-export { COCO_17 } from '../pose/coco17.ts';
-export { HALPE_26 } from '../pose/halpe26.ts';
-export type { Dimensions, PoseSequence } from '../pose/sequence.ts';
-export { type Side, type Skeleton, skeletonFrom } from '../pose/skeleton.ts';
+
+// # Following a camera
+
+export type { LiveReport } from '../cost/live-meter.ts';
+export type {
+  LiveMode,
+  LivePose,
+  LiveSession,
+  LiveSettings,
+  LiveState,
+  LiveStatus,
+  LiveView,
+  LoadPolicy,
+} from '../engine/live/types.ts';
+export { type Camera, type CameraChoice, listCameras, openCamera } from '../sources/camera.ts';
+export { type CameraFrame, watchCameraFrames } from '../sources/camera-frames.ts';
+
+// What needs no engine.
+
+export * from './poses.ts';

@@ -111,6 +111,7 @@ export interface DeciWatchPlayer extends HTMLElement {
   /** Fetches the clip and recovers its poses, without playing it. Never rejects. */
   load(): Promise<void>;
 
+  /** As of any element; {@link PlayerEventMap} lists the player's own events. */
   addEventListener<K extends keyof PlayerEventMap>(
     type: K,
     listener: (this: DeciWatchPlayer, event: PlayerEventMap[K]) => unknown,
@@ -121,6 +122,7 @@ export interface DeciWatchPlayer extends HTMLElement {
     listener: (this: DeciWatchPlayer, event: HTMLElementEventMap[K]) => unknown,
     options?: boolean | AddEventListenerOptions,
   ): void;
+  /** As of any element. */
   removeEventListener<K extends keyof PlayerEventMap>(
     type: K,
     listener: (this: DeciWatchPlayer, event: PlayerEventMap[K]) => unknown,

@@ -4,6 +4,7 @@ import { InterpolatingSpline } from './spline.ts';
 /** The classical ways to fill in frames, from the plainest to the smoothest. */
 export const INTERPOLATION_KINDS = ['nearest', 'linear', 'quadratic', 'cubic'] as const;
 
+/** One of {@link INTERPOLATION_KINDS}. */
 export type InterpolationKind = (typeof INTERPOLATION_KINDS)[number];
 
 /**
@@ -11,10 +12,12 @@ export type InterpolationKind = (typeof INTERPOLATION_KINDS)[number];
  * and after the last sample the end value holds. Too few samples for a kind: the highest degree
  * that they allow (cubic needs 4, quadratic 3, linear 2).
  *
+ * @param kind `nearest`, `linear`, `quadratic` or `cubic`
  * @param times S sample times, strictly increasing, spaced as they like
  * @param values S·C finite values: leave out samples in which nobody was seen
  * @param queries T times, in any order
  * @returns T·C values, in the same kind of array as `values`
+ * @throws RangeError where there is no sample, or the values are not C for each
  * @see https://docs.scipy.org/doc/scipy/reference/generated/scipy.interpolate.interp1d.html
  */
 export function interpolate<V extends Float32Array | Float64Array>(

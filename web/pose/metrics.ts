@@ -1,4 +1,4 @@
-/** How T·K·D values are laid out. */
+/** How T·K·D values are laid out: frame by frame, in each joint by joint. */
 export interface PoseShape {
   /** K */
   readonly joints: number;
@@ -13,6 +13,7 @@ export interface PoseShape {
  * @param predicted T·K·D values
  * @param truth T·K·D values
  * @returns NaN if no frame counts
+ * @throws RangeError where the two are not of one length, or not of whole frames
  */
 export function mpjpe(
   predicted: ArrayLike<number>,
@@ -30,7 +31,10 @@ export function mpjpe(
  * differences over time of prediction and truth, in units per frame². A frame counts if neither it nor
  * a neighbour has a NaN.
  *
+ * @param predicted T·K·D values, of frames evenly spaced in time
+ * @param truth T·K·D values, of the same frames
  * @returns NaN if no frame counts
+ * @throws RangeError where the two are not of one length, or not of whole frames
  * @see https://arxiv.org/abs/1812.01601 (HMMR), section 4.1
  */
 export function accelError(
@@ -53,8 +57,11 @@ export function accelError(
  * from the truth than `alpha` times the longer side of the box around the frame's true joints. Frames
  * with a NaN in either are left out.
  *
+ * @param predicted T·K·D values
+ * @param truth T·K·D values
  * @param alpha 0.2, 0.1 or 0.05 in the paper's tables
  * @returns NaN if no frame counts
+ * @throws RangeError where the two are not of one length, or not of whole frames
  */
 export function pck(
   predicted: ArrayLike<number>,

@@ -1,5 +1,6 @@
 import type { Skeleton } from './skeleton.ts';
 
+/** D of a sequence: 2 for pixels, 3 for metres. */
 export type Dimensions = 2 | 3;
 
 /**
@@ -22,20 +23,29 @@ export interface PoseSequence {
   readonly watched: Uint8Array;
 }
 
-/** One frame's K·D values, as a view on the sequence's memory. */
+/**
+ * One frame's K·D values, as a view on the sequence's memory.
+ * @param frame its place in the sequence, from 0
+ */
 export function poseAt(sequence: PoseSequence, frame: number): Float32Array {
   const size = sequence.skeleton.joints.length * sequence.dims;
   return sequence.values.subarray(frame * size, (frame + 1) * size);
 }
 
-/** Whether somebody was seen in a frame. */
+/**
+ * Whether somebody was seen in a frame, or in the watched frames around it.
+ * @param frame its place in the sequence, from 0
+ */
 export function hasPose(sequence: PoseSequence, frame: number): boolean {
   return Number.isFinite(poseAt(sequence, frame)[0]);
 }
 
 /**
- * The frame on screen at a time: the last one whose timestamp is not after `time` (seconds), or the
- * first frame before them all.
+ * The frame on screen at a time: the last one whose timestamp is not after it, or the first frame before
+ * them all.
+ * @param times T seconds, increasing
+ * @param time seconds
+ * @returns the frame's place in the sequence, from 0
  */
 export function frameAtTime(times: Float64Array, time: number): number {
   let low = 0;

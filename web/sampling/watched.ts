@@ -1,10 +1,12 @@
 import { DeciWatchError } from '../errors.ts';
 
-/** The intervals N that can be asked for. */
+/** The smallest interval N that can be asked for: every frame is watched. */
 export const MIN_INTERVAL = 1;
+
+/** The largest interval N that can be asked for. */
 export const MAX_INTERVAL = 20;
 
-/** The paper's sampling ratio of 10 %. */
+/** N unless chosen: the paper's sampling ratio of 10 %. */
 export const DEFAULT_INTERVAL = 10;
 
 /**

@@ -13,6 +13,8 @@ export interface CameraFrame {
 /**
  * Tells of every frame that a `<video>` with a camera's stream shows. Nothing comes while the tab is
  * hidden, since the browser shows nothing then.
+ * @param video that plays the stream
+ * @param onFrame to be handed to {@link LiveSession.frame}
  * @returns stops it
  * @throws DeciWatchError `browser-unsupported`
  */

@@ -6,12 +6,15 @@ const WANTED = { width: { ideal: 640 }, height: { ideal: 480 }, frameRate: { ide
 
 /** A camera that can be chosen. */
 export interface CameraChoice {
+  /** For {@link openCamera}. */
   readonly id: string;
+  /** For people; `Camera 1` and so on as long as the browser does not tell. */
   readonly label: string;
 }
 
 /** A camera that is on. Whoever opened it closes it, which switches its light off. */
 export interface Camera {
+  /** For the `srcObject` of a `<video>`. */
   readonly stream: MediaStream;
   readonly id: string;
   readonly label: string;
@@ -19,6 +22,7 @@ export interface Camera {
   readonly facesUser: boolean;
   /** Told once if the camera goes away by itself: unplugged, or its permission withdrawn. */
   onLost: ((error: DeciWatchError) => void) | null;
+  /** Switches it off. */
   close(): void;
 }
 

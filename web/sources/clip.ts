@@ -2,10 +2,13 @@ import type { EstimatorImage } from '../estimators/estimator.ts';
 
 /** What is known of a clip before any of its frames is decoded. */
 export interface ClipInfo {
+  /** As it was given. */
   readonly name: string;
   /** Pixels, as displayed: rotation applied. */
   readonly width: number;
+  /** Pixels. */
   readonly height: number;
+  /** T. */
   readonly frameCount: number;
   /** Mean frames per second, from the file's own timestamps. */
   readonly frameRate: number;

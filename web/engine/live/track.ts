@@ -15,11 +15,11 @@ const EASED_FROM = 0.5;
 
 /** What is to be drawn at one moment. */
 export interface LivePose {
-  /** K·2 pixels. */
+  /** K·2 pixels of the camera's picture, origin top left. */
   readonly values2d: Float32Array;
-  /** K·3 metres relative to the mid-hip. */
+  /** K·3 metres relative to the mid-hip: x right, y up, z towards the camera. */
   readonly values3d: Float32Array;
-  /** K, 0 to 1. */
+  /** K scores, 0 to 1. */
   readonly scores: Float32Array;
   /** 0 (gone) to 1 (there): less while it fades in or out. */
   readonly presence: number;

@@ -14,9 +14,11 @@ export type { LivePose, LiveReport, LoadPolicy };
  */
 export type LiveMode = 'smooth' | 'now';
 
+/** How a camera is to be followed. */
 export interface LiveSettings {
   /** N, 1 to 20: the estimator watches one camera frame in N. */
   readonly every: number;
+  /** One of those that come with the package. */
   readonly estimator: EstimatorName;
   readonly mode: LiveMode;
   readonly load: LoadPolicy;
@@ -29,6 +31,7 @@ export interface LiveSettings {
  */
 export type LiveState = 'loading' | 'waiting' | 'looking' | 'following' | 'lost';
 
+/** How a {@link LiveSession} stands. */
 export interface LiveStatus {
   readonly state: LiveState;
   /** N in force; larger than the one asked for while the estimator is too slow for that. */
@@ -51,8 +54,10 @@ export interface LiveView {
 
 /** Live playback of one camera on the engine. Whoever opened it closes it. */
 export interface LiveSession {
+  /** As they were asked for last. */
   readonly settings: LiveSettings;
   readonly status: LiveStatus;
+  /** What the last ten seconds cost. */
   readonly report: LiveReport;
   /** Since the start: camera frames, those never seen, estimator calls, frames whose skeleton was drawn. */
   readonly totals: Readonly<{ frames: number; missed: number; calls: number; shown: number }>;
@@ -62,16 +67,26 @@ export interface LiveSession {
   onStatus: (() => void) | null;
   /** Told once, when it cannot go on. */
   onError: ((error: DeciWatchError) => void) | null;
-  /** Takes effect from the next camera frame on. @throws DeciWatchError `bad-option` */
+  /**
+   * Takes effect from the next camera frame on.
+   * @throws DeciWatchError `bad-option`
+   */
   change(settings: LiveSettings): void;
-  /** A camera frame is on screen in its `<video>`. */
+  /**
+   * A camera frame is on screen in its `<video>`: to be called for each, as {@link watchCameraFrames} tells
+   * of them. The session decides which are watched.
+   */
   frame(video: HTMLVideoElement, frame: CameraFrame): void;
-  /** What to draw now; `now` in seconds on the page's clock. Counted as drawn. */
+  /**
+   * What to draw now. Counted as drawn.
+   * @param now seconds on the page's clock, `performance.now() / 1000`
+   */
   view(now: number): LiveView;
   /** Keeps what is needed to recover this stretch like a file. */
   startRecording(): void;
   /**
    * Ends the recording with the next look, and recovers all of its frames.
+   * @param name for {@link RecoveredClip.source}
    * @returns its poses, times from 0; null where it was too short or nobody was seen
    */
   stopRecording(name: string): Promise<RecoveredClip | null>;
@@ -79,5 +94,6 @@ export interface LiveSession {
   readonly recordingSince: number | null;
   /** When it ended, on the same clock, while its frames are still being recovered. */
   readonly recordingUntil: number | null;
+  /** Ends the session. The engine and the camera stay open. */
   close(): void;
 }
