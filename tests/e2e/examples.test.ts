@@ -176,7 +176,7 @@ describe('for everybody', () => {
     passed.push(...(await tabTo(page, 'One frame on')));
     await page.keyboard.press('Space');
     await expect.poll(() => player('currentTime')).toBeCloseTo(2 / 30, 2);
-    passed.push(...(await tabTo(page, 'The video with its skeleton')));
+    passed.push(...(await tabTo(page, '2D: the video with its skeleton')));
     await page.keyboard.press('Enter');
     expect(await player('view')).toBe('overlay');
     passed.push(...(await tabTo(page, 'Sound on')));

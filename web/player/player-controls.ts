@@ -16,9 +16,9 @@ export type ControlAction =
   | { readonly kind: 'view'; readonly view: PlayerView };
 
 const VIEWS: readonly { view: PlayerView; label: string; title: string }[] = [
-  { view: 'overlay', label: '2D', title: 'The video with its skeleton' },
-  { view: 'stage', label: '3D', title: 'The skeleton in 3D' },
-  { view: 'both', label: 'Both', title: 'The video and the 3D view' },
+  { view: 'overlay', label: '2D', title: 'the video with its skeleton' },
+  { view: 'stage', label: '3D', title: 'the skeleton alone' },
+  { view: 'both', label: 'Both', title: 'the video and the 3D view' },
 ];
 
 /**
@@ -92,8 +92,8 @@ export class PlayerControls extends LitElement {
           ${VIEWS.map(
             ({ view, label, title }) => html`<button
               class="bare"
-              title=${title}
-              aria-label=${title}
+              title=${`${label}: ${title}`}
+              aria-label=${`${label}: ${title}`}
               aria-pressed=${this.view === view}
               @click=${() => this.ask({ kind: 'view', view })}
             >${label}</button>`,
