@@ -6,7 +6,15 @@ import { type Browser, chromium } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { CHROMIUM_ARGS, findChromium } from '../../web/cli/chromium.ts';
 import { PROJECT_ROOT, type Site } from '../../web/cli/site.ts';
-import { buildProject, freshViteProject, packedPackage, plainPage, viteProject } from './packed.ts';
+import {
+  buildProject,
+  exampleProject,
+  freshViteProject,
+  packedPackage,
+  plainPage,
+  viteProject,
+} from './packed.ts';
+import { keepPlayerLog, playerLog } from './player-log.ts';
 
 const run = promisify(execFile);
 
@@ -88,12 +96,57 @@ describe('the package recovers a clip', () => {
   });
 });
 
-test('the player is there, although all it does is a side effect', async () => {
-  const script = `
-    import 'deciwatch-web/player';
-    document.title = JSON.stringify({ registered: !!customElements.get('deciwatch-player') });`;
-  const site = await freshViteProject({ script }, 'build');
-  expect(await outcome(site)).toEqual({ registered: true, complaints: [] });
+describe('a project of the examples, with the package installed', () => {
+  const FRAMES = Array.from({ length: 126 }, (_, frame) => frame);
+
+  async function open(site: Site) {
+    const page = await browser.newPage();
+    await keepPlayerLog(page);
+    await page.goto(site.url);
+    return page;
+  }
+
+  test.each(['build', 'dev'] as const)('plays every frame (%s)', async (mode) => {
+    const site = await exampleProject('vite', mode);
+    const page = await open(site);
+    try {
+      await page.locator('input[type=file]').setInputFiles(WALK['walk.mp4']);
+      const poses = async () => (await playerLog(page)).poses;
+      await expect.poll(async () => (await poses()).length, { timeout: 150_000 }).toBe(126);
+      const log = await playerLog(page);
+      expect(log.poses).toEqual(FRAMES);
+      expect([...log.errors, ...log.complaints]).toEqual([]);
+      expect(await page.locator('output').textContent()).toBe('126');
+    } finally {
+      await page.close();
+      await site.close();
+    }
+  });
+
+  test('recovers what an ONNX model of somebody’s sees', async () => {
+    const site = await exampleProject('own-model', 'build', ['onnxruntime-web']);
+    const page = await open(site);
+    try {
+      const model = join(PROJECT_ROOT, 'tests/fixtures/onnx-estimators/heatmap.onnx');
+      await page.locator('[name=model]').setInputFiles(model);
+      await page.locator('[name=video]').setInputFiles(WALK['walk.mp4']);
+      await page.locator('[name=decode]').selectOption('heatmap');
+      await page.locator('[name=width]').fill('48');
+      await page.locator('[name=height]').fill('64');
+      await page.getByRole('button', { name: 'Recover' }).click();
+      await expect
+        .poll(() => page.locator('output').textContent(), { timeout: 90_000 })
+        .toBe('126 frames of 3 joints from 14 looks (cubic).');
+      await expect
+        .poll(async () => (await playerLog(page)).poses.length, { timeout: 60_000 })
+        .toBeGreaterThan(30);
+      const log = await playerLog(page);
+      expect([...log.errors, ...log.complaints]).toEqual([]);
+    } finally {
+      await page.close();
+      await site.close();
+    }
+  });
 });
 
 describe('what a bundler makes of a part of it', () => {

@@ -1,5 +1,5 @@
 import { execFile } from 'node:child_process';
-import { cp, link, mkdir, mkdtemp, readdir, rm, writeFile } from 'node:fs/promises';
+import { cp, link, mkdir, mkdtemp, readdir, rm, symlink, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
@@ -108,7 +108,29 @@ export async function buildProject(root: string): Promise<string> {
 
 /** A new Vite project, served as it is built or by Vite's development server. */
 export async function freshViteProject(page: ForeignPage, mode: 'build' | 'dev'): Promise<Site> {
-  const root = await viteProject(page);
+  return serveProject(await viteProject(page), mode);
+}
+
+/**
+ * A project of `examples/`, as somebody has it who copied the folder and ran `npm install`.
+ * @param installed packages beside ours
+ */
+export async function exampleProject(
+  name: string,
+  mode: 'build' | 'dev',
+  installed: readonly string[] = [],
+): Promise<Site> {
+  const root = await folder(name);
+  await cp(join(PROJECT_ROOT, 'examples', name), root, { recursive: true });
+  const modules = join(root, 'node_modules');
+  await linkAll(await packedPackage(), join(modules, 'deciwatch-web'));
+  for (const other of installed) {
+    await symlink(join(PROJECT_ROOT, 'node_modules', other), join(modules, other), 'dir');
+  }
+  return serveProject(root, mode);
+}
+
+async function serveProject(root: string, mode: 'build' | 'dev'): Promise<Site> {
   if (mode === 'build') return served(root, await buildProject(root));
   const server = await createServer({ ...quiet(root), server: LOOPBACK });
   await server.listen();
