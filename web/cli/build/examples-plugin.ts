@@ -33,9 +33,11 @@ export function examplesPlugin(entries: Readonly<Record<string, string>>): Plugi
       }
     },
     resolveId(id, importer) {
-      if (!importer?.includes('/examples/')) return null;
-      const source = entries[id.replace('../', '')];
-      return source ? join(root, source) : null;
+      const name = /^(?:\.\.)?\/([\w-]+\.js)(?:\?.*)?$/.exec(id)?.[1] ?? '';
+      const source = entries[name];
+      // By a page's own address, as Vite reads its scripts ahead, or by a module in it.
+      const ofExample = id.startsWith('/') || importer?.includes('/examples/');
+      return source && ofExample ? join(root, source) : null;
     },
     configureServer(server) {
       server.middlewares.use((request, response, next) => {
