@@ -1,6 +1,7 @@
 import { css, html, LitElement, nothing } from 'lit';
 import { property } from 'lit/decorators.js';
 import type { RecoveredClip } from '../engine/types.ts';
+import type { FullscreenState } from './fullscreen.ts';
 import { costHeadline } from './parts/cost-words.ts';
 import { element } from './parts/element.ts';
 import { formatTime } from './parts/format.ts';
@@ -36,7 +37,7 @@ export class PlayerControls extends LitElement {
   @property({ attribute: false }) view: PlayerView = 'both';
   /** Words on a camera instead of a clip's frames. */
   @property({ attribute: false }) live: string | null = null;
-  @property({ attribute: false }) fullscreen: 'on' | 'off' | 'unavailable' = 'unavailable';
+  @property({ attribute: false }) fullscreen: FullscreenState = 'unavailable';
 
   static override styles = [
     sharedStyles,

@@ -9,6 +9,8 @@ import { CameraSide } from './camera-side.ts';
 import { ClipSide } from './clip-side.ts';
 import { renderPoster, renderProblem, renderProgress, renderStart } from './cover.ts';
 import { errorDetail } from './details.ts';
+import { FullscreenController } from './fullscreen.ts';
+import { PlayerKeys } from './keys.ts';
 import './live/live-view.ts';
 import type { LiveView, ShownFrame } from './live/live-view.ts';
 import './parts/clip-view.ts';
@@ -34,15 +36,6 @@ import type { DeciWatchPlayer, PlayerErrorDetail, PlayerEventMap, PlayerView } f
 const DEFAULT_ASPECT = 16 / 9;
 
 const PLAYER_VIEWS: readonly PlayerView[] = ['overlay', 'stage', 'both'];
-
-/** While the focus is in the player and not on a control that has a use for the key itself. */
-const KEYS: Readonly<Record<string, ControlAction>> = {
-  k: { kind: 'toggle' },
-  m: { kind: 'mute' },
-  f: { kind: 'fullscreen' },
-  ',': { kind: 'back' },
-  '.': { kind: 'forward' },
-};
 
 /** See {@link DeciWatchPlayer}, which is what its users see of it. */
 @element('deciwatch-player')
@@ -80,16 +73,24 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
     pose: (detail) => this.tell('pose', detail),
     cost: (report) => this.tell('cost', report),
   });
+  private readonly fullscreen = new FullscreenController(this);
   private readonly sight = new SightController(this, (inSight) => this.seen(inSight));
   private borrowed: BorrowedEngine | null = null;
   /** Loading or playing has been begun, by itself or by somebody: once for each source. */
   private begun = false;
   /** Paused since it was out of sight: goes on when it is seen again. */
   private resting = false;
+  /** There has been something for the 3D view to show. */
+  private staged = false;
   /** The browser's `<video>` cannot show the clip. */
   private unplayable = false;
   /** Seconds to go to once the clip is there. */
   private seekTo: number | null = null;
+
+  constructor() {
+    super();
+    new PlayerKeys(this, (action) => this.obey(action));
+  }
 
   static override styles = [sharedStyles, tokens, playerStyles];
 
@@ -174,16 +175,8 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
     await this.clipSide.load();
   }
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.addEventListener('fullscreenchange', this.fullscreenChanged);
-    this.addEventListener('keydown', this.keyed);
-  }
-
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.removeEventListener('fullscreenchange', this.fullscreenChanged);
-    this.removeEventListener('keydown', this.keyed);
     // A page that only moves the player has put it back by then.
     queueMicrotask(() => {
       if (!this.isConnected) this.reset();
@@ -256,6 +249,9 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
   }
 
   private renderStage() {
+    // A page may have many players, but a browser has few WebGL contexts: none before it is needed.
+    this.staged ||= this.clip !== null || this.clipSide.progress !== null || this.cameraSide.on;
+    if (!this.staged) return html`<div class="unstaged" part="stage"></div>`;
     return html`<dw-stage-view
       part="stage"
       .sequence=${this.clip?.poses3d ?? null}
@@ -277,7 +273,7 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
       .muted=${this.muted}
       .view=${this.shownView}
       .live=${this.camera ? this.cameraSide.words : null}
-      .fullscreen=${this.fullscreenState()}
+      .fullscreen=${this.fullscreen.state}
       @control=${(event: CustomEvent<ControlAction>) => this.obey(event.detail)}
     ></dw-player-controls>`;
   }
@@ -419,6 +415,7 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
     this.resting = false;
     this.begun = false;
     this.started = false;
+    this.staged = false;
     this.unplayable = false;
     this.cameraSide.stop();
     this.clipSide.reset();
@@ -515,28 +512,10 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
         this.view = action.view;
         break;
       case 'fullscreen':
-        if (this.fullscreenState() === 'on') void document.exitFullscreen();
-        else void this.requestFullscreen().catch(() => {});
+        this.fullscreen.toggle();
         break;
     }
   }
-
-  private readonly keyed = (event: KeyboardEvent) => {
-    if (!this.controls || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey)
-      return;
-    const action = KEYS[event.key];
-    if (!action || (this.camera && action.kind !== 'toggle' && action.kind !== 'fullscreen'))
-      return;
-    event.preventDefault();
-    this.obey(action);
-  };
-
-  private fullscreenState(): 'on' | 'off' | 'unavailable' {
-    if (!document.fullscreenEnabled) return 'unavailable';
-    return this.matches(':fullscreen') ? 'on' : 'off';
-  }
-
-  private readonly fullscreenChanged = () => this.requestUpdate();
 
   private draw({ time, pose }: Moment, stage: boolean): void {
     this.liveView?.paint({ time, pose });

@@ -14,6 +14,7 @@ export const playerStyles = css`
   .panes.stage > dw-clip-view, .panes.stage > dw-live-view { position: absolute; inset: 0; }
   .panes.stage > dw-stage-view { z-index: 1; }
   .cover { z-index: 2; }
+  .unstaged { background: var(--sunken); }
   .dimmed { opacity: 0.45; }
 
   .cover { position: absolute; inset: 0; display: grid; place-items: center; pointer-events: none; }
