@@ -28,6 +28,7 @@ export default defineConfig({
     chunkSizeWarningLimit: 1000,
     reportCompressedSize: false,
     rollupOptions: {
+      checks: { pluginTimings: false },
       input: { demo: 'index.html', ...Object.fromEntries(lastingInputs) },
       // What they export can be imported by those names.
       preserveEntrySignatures: 'exports-only',

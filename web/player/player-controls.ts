@@ -43,6 +43,7 @@ export class PlayerControls extends LitElement {
     sharedStyles,
     css`
       :host { display: block; container-type: inline-size; padding: 0.5rem 0.625rem; border-top: 1px solid var(--line); }
+      dw-timeline { margin-bottom: 0.25rem; }
       .row { display: flex; flex-wrap: wrap; align-items: center; gap: 0.25rem 0.5rem; }
       .row button { min-height: 2.25rem; min-width: 2.25rem; }
       .buttons, .views { display: flex; }

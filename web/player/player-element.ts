@@ -251,7 +251,8 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
   private renderStage() {
     // A page may have many players, but a browser has few WebGL contexts: none before it is needed.
     this.staged ||= this.clip !== null || this.clipSide.progress !== null || this.cameraSide.on;
-    if (!this.staged) return html`<div class="unstaged" part="stage"></div>`;
+    if (!this.staged)
+      return html`<div class="unstaged" part="stage"><p>The skeleton in 3D comes here</p></div>`;
     return html`<dw-stage-view
       part="stage"
       .sequence=${this.clip?.poses3d ?? null}

@@ -14,7 +14,7 @@ export const playerStyles = css`
   .panes.stage > dw-clip-view, .panes.stage > dw-live-view { position: absolute; inset: 0; }
   .panes.stage > dw-stage-view { z-index: 1; }
   .cover { z-index: 2; }
-  .unstaged { background: var(--sunken); }
+  .unstaged { background: var(--sunken); display: grid; place-items: end center; padding: 0.75rem; font-size: 0.8125rem; color: var(--muted); text-align: center; }
   .dimmed { opacity: 0.45; }
 
   .cover { position: absolute; inset: 0; display: grid; place-items: center; pointer-events: none; }
