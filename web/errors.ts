@@ -20,6 +20,7 @@ export type DeciWatchErrorCode =
   | 'camera-lost'
   | 'browser-unsupported'
   | 'webgl-unavailable'
+  | 'play-refused'
   | 'pose-file-invalid'
   | 'engine-crashed';
 

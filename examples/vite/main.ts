@@ -5,7 +5,9 @@ const input = document.querySelector('input')!;
 const output = document.querySelector('output')!;
 
 input.addEventListener('change', () => {
-  player.srcObject = input.files?.[0] ?? null;
+  const [file] = input.files ?? [];
+  if (!file) return;
+  player.srcObject = file;
   void player.play();
 });
 

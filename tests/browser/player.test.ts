@@ -119,6 +119,70 @@ describe('a clip', () => {
     expect(player.paused).toBe(true);
   });
 
+  test('obeys what was asked last, whatever was under way', async () => {
+    const { player, errors, poses } = mount({ src: WALK, view: 'overlay' });
+    const told: string[] = [];
+    for (const type of ['play', 'pause']) player.addEventListener(type, () => told.push(type));
+    await player.load();
+    void player.play();
+    expect(player.paused).toBe(false);
+    player.pause();
+    expect(player.paused).toBe(true);
+    await new Promise((resolve) => setTimeout(resolve, 500));
+    expect(player.paused).toBe(true);
+    expect(player.currentTime).toBe(0);
+    expect(told).toEqual(['play', 'pause']);
+
+    // Another clip while this one begins to play.
+    void player.play();
+    player.src = '/tests/fixtures/gap.mp4';
+    const loaded = when(player, 'load');
+    void player.play();
+    await loaded;
+    poses.length = 0;
+    await vi.waitUntil(() => poses.length > 5, { timeout: 30 * SECONDS });
+    expect(errors).toEqual([]);
+  });
+
+  test('can be gone through as soon as it is there', async () => {
+    const { player, poses } = mount({ src: WALK, view: 'overlay' });
+    const order: string[] = [];
+    player.addEventListener('pose', () => order.push('pose'));
+    player.addEventListener('load', () => {
+      order.push('load');
+      player.currentTime = 2;
+    });
+    await player.load();
+    await vi.waitUntil(() => poses.some(({ frame }) => frame === 60), { timeout: 30 * SECONDS });
+    expect(order[0]).toBe('load');
+    expect(() => {
+      player.currentTime = Number.NaN;
+    }).toThrow(TypeError);
+    expect(() => {
+      player.volume = 2;
+    }).toThrow(DOMException);
+    expect(() => {
+      player.playbackRate = -1;
+    }).toThrow(DOMException);
+  });
+
+  test('that was played stops where its new settings cannot be, and comes back with better ones', async () => {
+    const { player, errors } = mount({ src: WALK, view: 'overlay', loop: '' });
+    await player.play();
+    await vi.waitUntil(() => player.currentTime > 0.1, { timeout: 40 * SECONDS });
+    player.every = 99;
+    await vi.waitUntil(() => errors.length === 1, { timeout: 10 * SECONDS });
+    expect(errors[0]!.type).toBe('bad-option');
+    const { currentTime } = player;
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    expect(player.currentTime).toBe(currentTime);
+    player.every = 20;
+    const again = when(player, 'load');
+    void player.play();
+    expect((await again).interval).toBe(20);
+    expect(player.error).toBe(null);
+  });
+
   test('without anybody in it is an error; with nobody in some frames it is none', async () => {
     const { player, errors } = mount({ src: '/tests/fixtures/empty-room.mp4', view: 'overlay' });
     await player.load();
@@ -161,6 +225,7 @@ describe('an error', () => {
     ['an interval that is none', { src: WALK, every: '0' }, 'bad-option'],
     ['an estimator that is none', { src: WALK, estimator: 'huge' }, 'bad-option'],
     ['no address at all', { src: 'http://' }, 'bad-option'],
+    ['no address of models', { src: WALK, models: 'http://[' }, 'bad-option'],
   ])('%s: one event of its type, and a sentence in the player', async (_, attributes, type) => {
     const src = attributes.src === 'odd' ? await odd() : attributes.src!;
     const { player, errors } = mount({ ...attributes, src, view: 'overlay', autoplay: '' });
@@ -211,6 +276,37 @@ describe('an error', () => {
     expect(shownText(player, 'notice')).toContain(errors[0]!.message);
   });
 
+  test('a missing clip is told of before anybody asks for it, and costs nothing else', async () => {
+    const { errors } = mount({ src: '/tests/fixtures/nowhere.mp4', view: 'overlay' });
+    await vi.waitUntil(() => errors.length > 0, { timeout: 30 * SECONDS });
+    expect(errors.map(({ type }) => type)).toEqual(['file-missing']);
+    expect(workers.size).toBe(0);
+  });
+
+  test('what is no clip at all', async () => {
+    const { player, errors } = mount({ view: 'overlay' });
+    player.srcObject = new MediaStream() as unknown as Blob;
+    await player.play();
+    expect(errors.map(({ type }) => type)).toEqual(['bad-option']);
+  });
+
+  test('a camera refused once nobody waits for it any more is no error', async () => {
+    const refusals: (() => void)[] = [];
+    vi.spyOn(navigator.mediaDevices, 'getUserMedia').mockImplementation(
+      () =>
+        new Promise((_, reject) => {
+          refusals.push(() => reject(new DOMException('no', 'NotAllowedError')));
+        }),
+    );
+    const { player, errors } = mount({ camera: '', view: 'overlay' });
+    void player.play();
+    await vi.waitUntil(() => refusals.length === 1);
+    player.pause();
+    refusals[0]!();
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    expect(errors).toEqual([]);
+  });
+
   test('no camera', async () => {
     const { player, errors } = mount({ camera: '', view: 'overlay' });
     await player.play();
@@ -221,6 +317,28 @@ describe('an error', () => {
 });
 
 describe('players on a page', () => {
+  test('have room where their place has no width of its own', () => {
+    const place = document.createElement('div');
+    place.style.cssText = 'display: flex; width: 1000px';
+    document.body.append(place);
+    const { player } = mount({ src: WALK, view: 'overlay', preload: 'none' }, place);
+    expect(player.getBoundingClientRect().width).toBeGreaterThan(300);
+  });
+
+  test('take over the page’s switch from light to dark', async () => {
+    document.documentElement.style.colorScheme = 'light';
+    const { player } = mount({ src: WALK, view: 'overlay', controls: '', preload: 'none' });
+    const timeline = () =>
+      player
+        .shadowRoot!.querySelector('dw-player-controls')
+        ?.shadowRoot?.querySelector('dw-timeline');
+    await vi.waitUntil(() => timeline()?.shadowRoot?.querySelector('.legend, .track'));
+    const update = vi.spyOn(timeline()!, 'requestUpdate');
+    document.documentElement.style.colorScheme = 'dark';
+    await vi.waitUntil(() => update.mock.calls.length > 0, { timeout: 10 * SECONDS });
+    document.documentElement.style.colorScheme = '';
+  });
+
   test('share one worker, and free it when the last one goes', async () => {
     const first = mount({ src: WALK, view: 'overlay' });
     const second = mount({ src: '/tests/fixtures/gap.mp4', view: 'overlay' });

@@ -5,7 +5,7 @@ import { afterAll, afterEach, beforeAll, describe, expect, test } from 'vitest';
 import { type CameraClip, makeCameraClip } from '../../web/cli/camera-clip.ts';
 import { CHROMIUM_ARGS, findChromium } from '../../web/cli/chromium.ts';
 import { PROJECT_ROOT } from '../../web/cli/site.ts';
-import { seriousFindings, tabTo } from './accessibility.ts';
+import { focused, seriousFindings, tabTo } from './accessibility.ts';
 import { keepPlayerLog, playerLog } from './player-log.ts';
 import { type ServedSite, serveBuiltSite } from './served-site.ts';
 import { whenReady } from './site.ts';
@@ -165,6 +165,8 @@ describe('for everybody', () => {
       page.evaluate((key) => document.querySelector('deciwatch-player')![key], name);
     const passed = await tabTo(page, 'Play');
     await page.keyboard.press('Enter');
+    // The button has gone; the keyboard's place is at the bar's own.
+    await expect.poll(async () => (await focused(page)).label).toBe('Pause');
     await expect.poll(async () => (await playerLog(page)).poses.length, LONG).toBeGreaterThan(5);
 
     // The slider: paused by going through it, one frame at a time.

@@ -23,6 +23,7 @@ export interface EngineOptions {
 /**
  * Makes an engine. Nothing is fetched until the first clip or camera: then its worker starts and the models
  * come, and both are kept until {@link Engine.close}. After a crash a new worker is started.
+ * @throws DeciWatchError `bad-option`
  */
 export function createEngine(options: EngineOptions = {}): Engine {
   return new WorkerEngine(engineFiles(options.models));

@@ -15,6 +15,7 @@ import forecast3d from '/models/3d-forecast.onnx?url';
 import recover3d from '/models/3d-recover.onnx?url';
 import modelManifest from '/models/manifest.json?url';
 import type { FileSet } from '../download.ts';
+import { DeciWatchError } from '../errors.ts';
 import type { MediaPipeFiles } from '../estimators/mediapipe.ts';
 import type { RuntimeFiles } from '../recovery/runtime.ts';
 
@@ -45,6 +46,12 @@ export function engineFiles(models?: string | URL): EngineFiles {
 }
 
 function modelsIn(folder: string | URL): Pick<EngineFiles, 'models' | 'estimators'> {
+  if (!URL.canParse(folder, document.baseURI)) {
+    throw new DeciWatchError(
+      'bad-option',
+      `${folder} is not the address of a folder: mend models.`,
+    );
+  }
   const { href } = new URL(folder, document.baseURI);
   const base = href.endsWith('/') ? href : `${href}/`;
   return {

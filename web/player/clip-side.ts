@@ -29,6 +29,8 @@ export class ClipSide {
   #progress: RecoverProgress | null = null;
   #clip: RecoveredClip | null = null;
   #url: string | null = null;
+  /** The page knows of the clip: it may be told of its frames. */
+  #announced = false;
 
   constructor(host: ClipSideHost) {
     this.#host = host;
@@ -55,8 +57,8 @@ export class ClipSide {
   }
 
   /** The settings are other ones: what has been recovered, or is being recovered, is recovered anew. */
-  again(): void {
-    if (this.#clip || this.#loading) void this.#begin();
+  async again(): Promise<void> {
+    if (this.#clip || this.#loading) await this.#begin();
   }
 
   /** Lets go of the clip. */
@@ -66,8 +68,15 @@ export class ClipSide {
     this.#loading = null;
     this.#progress = null;
     this.#clip = null;
+    this.#announced = false;
     this.#setUrl(null);
     this.#host.changed();
+  }
+
+  /** The page has been told of the clip: from now on it is told of frames, of the one on screen first. */
+  announced(frame: number): void {
+    this.#announced = true;
+    this.shown(frame, true);
   }
 
   /** Somebody asked for another place in the clip. */
@@ -80,13 +89,14 @@ export class ClipSide {
    * @param landed false while a jump is still on its way
    */
   shown(frame: number, landed: boolean): void {
-    if (!this.#clip) return;
+    if (!this.#clip || !this.#announced) return;
     this.#tell(this.#teller.shown(frame, this.#clip.poses2d.times.length, landed));
   }
 
   /** Playback has come to its end. */
   ended(): void {
-    if (this.#clip) this.#tell(this.#teller.ended(this.#clip.poses2d.times.length));
+    if (this.#clip && this.#announced)
+      this.#tell(this.#teller.ended(this.#clip.poses2d.times.length));
   }
 
   #begin(): Promise<void> {
@@ -114,6 +124,7 @@ export class ClipSide {
       // Null: another one has taken its place, whose progress it now is.
       if (!clip) return;
       this.#clip = clip;
+      this.#announced = false;
       this.#teller.reset();
       this.#setProgress(null);
       await host.recovered(clip);

@@ -36,6 +36,8 @@ export class ClipWork {
       });
     } catch (error) {
       if (signal.aborted) return null;
+      // What came may not be what is there: it is fetched anew the next time.
+      this.#fetched = null;
       throw error;
     }
   }

@@ -1,7 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { RecoverProgress } from '../engine/types.ts';
 import { icon } from './parts/icons.ts';
-import { progressWords } from './parts/progress-words.ts';
 import type { PlayerErrorDetail } from './types.ts';
 
 /** What went wrong, and a way to try again. */
@@ -20,10 +19,10 @@ export function renderPoster(address: string): TemplateResult {
 }
 
 /** The page's own progress, or ours. */
-export function renderProgress(progress: RecoverProgress, every: number): TemplateResult {
+export function renderProgress(progress: RecoverProgress, words: string): TemplateResult {
   const { fraction, framesDone, framesTotal } = progress;
   return html`<slot name="progress"><div class="card box" part="progress">
-    <p class="doing">${progressWords(progress, every)}</p>
+    <p class="doing">${words}</p>
     <progress max="1" .value=${fraction} aria-label="Progress"></progress>
     <p class="figures numbers">
       <span>${Math.floor(fraction * 100)} %</span>

@@ -40,9 +40,18 @@ export class PlayerKeys implements ReactiveController {
   readonly #pressed = (event: Event) => {
     if (!(event instanceof KeyboardEvent) || !this.#host.controls) return;
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
-    const action = (this.#host.camera ? CAMERA_KEYS : CLIP_KEYS)[event.key];
-    if (!action) return;
+    if (isForWriting(event.composedPath()[0])) return;
+    const action = (this.#host.camera ? CAMERA_KEYS : CLIP_KEYS)[event.key.toLowerCase()];
+    // Held down, a key goes on through the frames, but switches nothing on and off.
+    if (!action || (event.repeat && action.kind !== 'back' && action.kind !== 'forward')) return;
     event.preventDefault();
     this.#obey(action);
   };
+}
+
+/** What the page has put into a slot may have a use for letters. */
+function isForWriting(target: EventTarget | undefined): boolean {
+  if (!(target instanceof HTMLElement)) return false;
+  if (target instanceof HTMLInputElement) return target.type !== 'range';
+  return target.isContentEditable || target.matches('textarea, select');
 }

@@ -42,21 +42,27 @@ export class PlayerControls extends LitElement {
   static override styles = [
     sharedStyles,
     css`
-      :host { display: block; container-type: inline-size; padding: 0.5rem 0.625rem; border-top: 1px solid var(--line); }
-      dw-timeline { margin-bottom: 0.25rem; }
-      .row { display: flex; flex-wrap: wrap; align-items: center; gap: 0.25rem 0.5rem; }
-      .row button { min-height: 2.25rem; min-width: 2.25rem; }
+      :host { display: block; container-type: inline-size; padding: 8px 10px; border-top: 1px solid var(--line); }
+      dw-timeline { margin-bottom: 4px; }
+      .row { direction: ltr; display: flex; flex-wrap: wrap; align-items: center; gap: 4px 8px; }
+      .row button { min-height: 36px; min-width: 36px; }
       .buttons, .views { display: flex; }
-      .where { font-size: 0.8125rem; white-space: nowrap; }
-      .cost { flex: 1 1 6rem; min-width: 0; font-size: 0.8125rem; color: var(--muted); overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
-      .views button { font-size: 0.8125rem; padding: 0 0.5rem; }
-      @container (max-width: 34rem) {
+      .where { font-size: 13px; white-space: nowrap; }
+      .cost { flex: 1 1 96px; min-width: 0; font-size: 13px; color: var(--muted); overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
+      .views button { font-size: 13px; padding: 0 8px; }
+      @container (max-width: 544px) {
         .extra { margin-left: auto; }
-        .cost { order: 1; flex-basis: 9rem; white-space: normal; }
+        .cost { order: 1; flex-basis: 144px; white-space: normal; }
         .views { order: 2; }
       }
     `,
   ];
+
+  /** Gives the focus to the button that plays and pauses. */
+  async focusFirst(): Promise<void> {
+    await this.updateComplete;
+    this.renderRoot.querySelector<HTMLElement>('.buttons button:not(:disabled)')?.focus();
+  }
 
   override render() {
     const { clip, live, running } = this;

@@ -9,6 +9,7 @@ import { CameraSide } from './camera-side.ts';
 import { ClipSide } from './clip-side.ts';
 import { renderPoster, renderProblem, renderProgress, renderStart } from './cover.ts';
 import { errorDetail } from './details.ts';
+import { checkClip } from './fetch-clip.ts';
 import { FullscreenController } from './fullscreen.ts';
 import { PlayerKeys } from './keys.ts';
 import './live/live-view.ts';
@@ -25,7 +26,7 @@ import type { StageView } from './parts/stage-view.ts';
 import { sharedStyles } from './parts/styles.ts';
 import { tokens } from './parts/tokens.ts';
 import './player-controls.ts';
-import type { ControlAction } from './player-controls.ts';
+import type { ControlAction, PlayerControls } from './player-controls.ts';
 import { PlayerProperties, SETTINGS, SOURCE } from './player-properties.ts';
 import { playerStyles } from './player-styles.ts';
 import { shapeOf } from './shape.ts';
@@ -41,8 +42,7 @@ const PLAYER_VIEWS: readonly PlayerView[] = ['overlay', 'stage', 'both'];
 @element('deciwatch-player')
 export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
   @state() private frame = 0;
-  /** Asked to play, and neither asked to stop nor at the end. */
-  @state() private wanted = false;
+  @state() private wantedNow = false;
   /** Has been played or gone through: the poster has done its duty. */
   @state() private started = false;
   @state() private aspect = DEFAULT_ASPECT;
@@ -50,11 +50,23 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
   @state() private notice: PlayerErrorDetail | null = null;
   @state() private status = '';
   @query('dw-clip-view') private clipView!: ClipView | null;
+  @query('dw-player-controls') private controlBar!: PlayerControls | null;
   @query('dw-live-view') private liveView!: LiveView | null;
   @query('dw-stage-view') private stageView!: StageView | null;
 
+  /** Asked to play, and neither asked to stop nor at the end. */
+  private get wanted(): boolean {
+    return this.wantedNow;
+  }
+
+  private set wanted(wanted: boolean) {
+    if (wanted === this.wantedNow) return;
+    this.wantedNow = wanted;
+    this.dispatchEvent(new Event(wanted ? 'play' : 'pause'));
+  }
+
   private readonly clipSide = new ClipSide({
-    source: () => this.srcObject ?? this.address(),
+    source: () => this.source(),
     settings: () => ({ every: this.every, estimator: this.estimator }),
     engine: () => this.borrow(),
     changed: () => this.requestUpdate(),
@@ -78,10 +90,14 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
   private borrowed: BorrowedEngine | null = null;
   /** Loading or playing has been begun, by itself or by somebody: once for each source. */
   private begun = false;
+  /** The focus was in the cover before the update under way. */
+  private coverFocused = false;
   /** Paused since it was out of sight: goes on when it is seen again. */
   private resting = false;
   /** There has been something for the 3D view to show. */
   private staged = false;
+  /** Counts plays and pauses: a play that waits is overtaken by what is asked after it. */
+  private asked = 0;
   /** The browser's `<video>` cannot show the clip. */
   private unplayable = false;
   /** Seconds to go to once the clip is there. */
@@ -135,23 +151,29 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
   get currentTime(): number {
     const times = this.clip?.poses2d.times;
     if (!times) return this.seekTo ?? 0;
+    if (this.ended) return this.duration;
     const wanted = this.clipView?.playback?.wantedFrame ?? this.frame;
     return times[wanted]! - times[0]!;
   }
 
   set currentTime(seconds: number) {
+    if (!Number.isFinite(seconds)) throw new TypeError(`currentTime cannot be ${seconds}.`);
     const times = this.clip?.poses2d.times;
     if (times) this.seek(frameAtTime(times, times[0]! + seconds));
     else this.seekTo = seconds;
   }
 
   async play(): Promise<void> {
+    const asked = ++this.asked;
+    this.wanted = true;
+    if (this.notice?.type === 'play-refused') this.notice = null;
     await this.settled();
+    if (asked !== this.asked) return;
     this.wanted = true;
     if (this.camera) {
       this.problem = null;
       await this.follow();
-    } else if (this.clip) {
+    } else if (this.clip && !this.problem) {
       await this.start();
     } else {
       // It starts once the poses are there.
@@ -160,6 +182,7 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
   }
 
   pause(): void {
+    this.asked++;
     this.wanted = false;
     this.resting = false;
     if (this.camera) this.cameraSide.stop();
@@ -169,10 +192,10 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
   async load(): Promise<void> {
     await this.settled();
     this.begun = true;
-    if (this.camera || this.clip) return;
+    if (this.camera || (this.clip && !this.problem)) return;
     this.problem = null;
     this.status = 'Loading.';
-    await this.clipSide.load();
+    await (this.clip ? this.clipSide.again() : this.clipSide.load());
   }
 
   override disconnectedCallback(): void {
@@ -184,22 +207,25 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
   }
 
   protected override willUpdate(changes: PropertyValues<this>): void {
+    this.coverFocused = this.shadowRoot?.activeElement?.closest('.cover') != null;
     if (!this.hasUpdated) return;
     if (SOURCE.some((name) => changes.has(name))) this.reset();
     else if (SETTINGS.some((name) => changes.has(name))) this.changeSettings();
   }
 
   protected override updated(changes: PropertyValues<this>): void {
+    this.keepFocus();
     const begins = [...SOURCE, ...SETTINGS, 'autoplay', 'preload'] as const;
     if (begins.some((name) => changes.has(name))) this.begin();
   }
 
   override render() {
     const view = this.shownView;
-    return html`<div class="player" part="player">
+    return html`<div class="player" part="player" tabindex="-1">
       <div class="panes ${view}" part="panes" .style=${shapeOf(view, this.aspect)}>
         ${this.camera ? this.renderCamera() : this.renderVideo()}
         ${view === 'overlay' ? nothing : this.renderStage()}
+        <div class="cover over-picture">${this.renderOverPicture()}</div>
         <div class="cover">${this.renderCover()}</div>
       </div>
       ${
@@ -210,6 +236,16 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
       ${this.controls ? this.renderControls() : nothing}
       <p class="visually-hidden" role="status">${this.status}</p>
     </div>`;
+  }
+
+  /** A button in the middle that has been used goes, and must not take the keyboard's place with it. */
+  private keepFocus(): void {
+    const { shadowRoot } = this;
+    if (!this.coverFocused || shadowRoot?.activeElement) return;
+    const next = shadowRoot?.querySelector<HTMLElement>('.cover button:not(:disabled)');
+    if (next) next.focus();
+    else if (this.controls) void this.controlBar?.focusFirst();
+    else shadowRoot?.querySelector<HTMLElement>('.player')?.focus();
   }
 
   private get shownView(): PlayerView {
@@ -279,13 +315,24 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
     ></dw-player-controls>`;
   }
 
+  /** What must be read, or is being done. */
   private renderCover() {
     if (this.problem) return renderProblem(this.problem, () => void this.play());
     const { progress } = this.clipSide;
+    return progress && !this.clip
+      ? renderProgress(progress, this.progressWords(progress))
+      : nothing;
+  }
+
+  private renderOverPicture() {
     return html`
       ${this.started || this.cameraSide.on ? nothing : renderPoster(this.poster)}
-      ${progress && !this.clip ? renderProgress(progress, this.every) : this.renderStart()}
+      ${this.problem || (this.clipSide.progress && !this.clip) ? nothing : this.renderStart()}
     `;
+  }
+
+  private progressWords(progress: RecoverProgress): string {
+    return this.clipSide.url ? progressWords(progress, this.every) : 'Loading the clip';
   }
 
   /** With a bar of controls the button goes once it has been used. */
@@ -337,7 +384,15 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
   }
 
   /** @throws DeciWatchError `bad-option` */
-  private address(): URL {
+  private source(): Blob | URL {
+    const { srcObject } = this;
+    if (srcObject instanceof Blob) return srcObject;
+    if (srcObject) {
+      throw new DeciWatchError(
+        'bad-option',
+        'srcObject takes a File or Blob; for the camera, set camera.',
+      );
+    }
     if (!this.src) throw new DeciWatchError('bad-option', 'This player has no clip: set its src.');
     try {
       return new URL(this.src, this.baseURI);
@@ -347,7 +402,7 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
   }
 
   private progressed(progress: RecoverProgress): void {
-    const words = `${progressWords(progress, this.every)}.`;
+    const words = `${this.progressWords(progress)}.`;
     if (words !== this.status) this.status = words;
     this.tell('progress', progress);
   }
@@ -357,9 +412,12 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
     const { frames, estimatorCalls } = clip.cost;
     const { figure, sentence } = costHeadline(clip.cost);
     this.status = `Ready: ${formatCount(frames)} frames from ${formatCount(estimatorCalls)} looks, ${figure} ${sentence}.`;
+    await this.updateComplete;
+    if (this.clip !== clip) return;
     this.tell('load', clip);
     this.tell('cost', clip.cost);
-    await this.updateComplete;
+    if (this.clip !== clip) return;
+    this.clipSide.announced(this.frame);
     if (this.unplayable) this.cannotPlay();
     if (this.seekTo !== null) this.currentTime = this.seekTo;
     this.seekTo = null;
@@ -372,10 +430,21 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
       this.resting = true;
       return;
     }
+    const { clip } = this;
     const playback = this.clipView?.playback;
     await playback?.play();
+    if (this.clip !== clip || !this.wanted) return;
     // Refused: sound without a click, or power saving.
-    if (playback && !playback.playing && !this.resting) this.wanted = false;
+    if (!playback || playback.playing || this.resting) return;
+    this.wanted = false;
+    if (!this.ended && !this.unplayable) {
+      this.warn(
+        new DeciWatchError(
+          'play-refused',
+          'The browser does not play sound before a click: press play, or set muted.',
+        ),
+      );
+    }
   }
 
   private async follow(): Promise<void> {
@@ -403,7 +472,7 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
     }
     try {
       if (this.camera) this.cameraSide.changeSettings();
-      else this.clipSide.again();
+      else void this.clipSide.again();
     } catch (error) {
       this.cameraSide.stop();
       this.fail(error);
@@ -449,15 +518,19 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
 
   private media(type: string): void {
     const { video } = this.clipView!;
-    if (this.clip) {
-      if (type === 'play') this.wanted = true;
-      if (type === 'pause' && !this.resting) this.wanted = false;
-      if (type === 'ended') this.clipSide.ended();
-    } else if (!video.paused) {
+    if (!this.clip) {
       // Nobody plays a picture without its skeleton.
-      video.pause();
+      if (!video.paused) video.pause();
+    } else if (type === 'play') {
+      this.wanted = true;
+    } else if (type === 'pause') {
+      if (!this.resting) this.wanted = false;
+    } else if (type === 'ended') {
+      this.clipSide.ended();
     }
-    this.dispatchEvent(new Event(type));
+    // Of the first picture alone, before the clip has been fetched, nothing is told.
+    const ofPlayer = type === 'play' || type === 'pause';
+    if (this.clipSide.url && !ofPlayer) this.dispatchEvent(new Event(type));
   }
 
   private pictured(event: CustomEvent<number>): void {
@@ -465,18 +538,29 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
   }
 
   private cannotPlay(): void {
-    this.unplayable = true;
-    if (!this.clip) {
-      // What is wrong with it the engine can say, unless it is at it already.
-      if (!this.begun) void this.load();
+    if (!this.clipSide.url) {
+      // Of the first picture. What else may be wrong with the clip shows when it is played.
+      if (!this.begun) void this.checkSource();
       return;
     }
+    this.unplayable = true;
+    if (!this.clip) return;
     this.warn(
       new DeciWatchError(
         'codec-unsupported',
         'This browser cannot play this video; step through its poses frame by frame.',
       ),
     );
+  }
+
+  private async checkSource(): Promise<void> {
+    const { src } = this;
+    try {
+      const source = this.source();
+      if (source instanceof URL) await checkClip(source);
+    } catch (error) {
+      if (src === this.src && !this.begun) this.fail(error);
+    }
   }
 
   private toggle(): void {
@@ -528,6 +612,8 @@ export class PlayerElement extends PlayerProperties implements DeciWatchPlayer {
 
   private fail(error: unknown): void {
     this.wanted = false;
+    this.resting = false;
+    this.clipView?.playback?.pause();
     this.problem = errorDetail(error, true);
     this.status = '';
     this.tell('error', this.problem);

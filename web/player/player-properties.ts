@@ -7,6 +7,10 @@ import type { PlayerPreload, PlayerView } from './types.ts';
 
 const DEFAULT_EVERY = 10;
 
+/** Browsers refuse to play slower or faster. */
+const SLOWEST = 1 / 16;
+const FASTEST = 16;
+
 /** An estimator of the page's own has no place in an attribute. */
 const ESTIMATOR = {
   fromAttribute: (name: string | null) => (name ?? DEFAULT_ESTIMATOR) as EstimatorName,
@@ -33,10 +37,35 @@ export class PlayerProperties extends LitElement {
   @property({ type: Boolean, reflect: true }) autoplay = false;
   @property({ type: Boolean, reflect: true }) loop = false;
   @property({ type: Boolean }) muted = false;
-  @property({ attribute: false }) volume = 1;
-  @property({ attribute: false }) playbackRate = 1;
   @property({ reflect: true, useDefault: true }) poster = '';
   @property({ type: Boolean, reflect: true }) mirror = false;
   @property({ reflect: true, useDefault: true }) preload: PlayerPreload = 'metadata';
   @property({ reflect: true, useDefault: true }) models = '';
+  private loudness = 1;
+  private speed = 1;
+
+  @property({ attribute: false })
+  get volume(): number {
+    return this.loudness;
+  }
+
+  set volume(volume: number) {
+    if (!(volume >= 0 && volume <= 1)) {
+      throw new DOMException(`The volume ${volume} is not between 0 and 1.`, 'IndexSizeError');
+    }
+    this.loudness = volume;
+  }
+
+  @property({ attribute: false })
+  get playbackRate(): number {
+    return this.speed;
+  }
+
+  set playbackRate(rate: number) {
+    if (!(rate >= SLOWEST && rate <= FASTEST)) {
+      const words = `The playback rate ${rate} is not between ${SLOWEST} and ${FASTEST}.`;
+      throw new DOMException(words, 'NotSupportedError');
+    }
+    this.speed = rate;
+  }
 }

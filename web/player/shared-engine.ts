@@ -13,12 +13,14 @@ const engines = new Map<string, { readonly engine: Engine; users: number }>();
 /**
  * The page's engine for one place of models: players that name the same place share its worker and models.
  * @param models as in `EngineOptions`; empty for the module's own
+ * @throws DeciWatchError `bad-option`
  */
 export function borrowEngine(models: string): BorrowedEngine {
-  const key = models && new URL(models, document.baseURI).href;
+  const known = models !== '' && URL.canParse(models, document.baseURI);
+  const key = known ? new URL(models, document.baseURI).href : models;
   let shared = engines.get(key);
   if (!shared) {
-    shared = { engine: createEngine(key ? { models: key } : {}), users: 0 };
+    shared = { engine: createEngine(models ? { models } : {}), users: 0 };
     engines.set(key, shared);
   }
   const { engine } = shared;

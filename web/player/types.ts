@@ -77,9 +77,9 @@ export interface DeciWatchPlayer extends HTMLElement {
   autoplay: boolean;
   loop: boolean;
   muted: boolean;
-  /** 0 to 1. */
+  /** 0 to 1; anything else throws. */
   volume: number;
-  /** 1 is the clip's own speed. */
+  /** 1 is the clip's own speed; below 1/16 and above 16 it throws. */
   playbackRate: number;
   /** Address of a picture that is shown before playing. */
   poster: string;
@@ -88,7 +88,7 @@ export interface DeciWatchPlayer extends HTMLElement {
   preload: PlayerPreload;
   /** Address of a folder with `models/` and `estimators/`; relative to the page. See {@link EngineOptions}. */
   models: string;
-  /** Seconds, from the clip's first frame. */
+  /** Seconds from the clip's first frame to the start of the one on screen; at the end, the duration. */
   currentTime: number;
   /** Seconds; NaN until the clip is there. */
   readonly duration: number;
@@ -122,6 +122,11 @@ export interface DeciWatchPlayer extends HTMLElement {
     listener: (this: DeciWatchPlayer, event: HTMLElementEventMap[K]) => unknown,
     options?: boolean | AddEventListenerOptions,
   ): void;
+  addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
   /** As of any element. */
   removeEventListener<K extends keyof PlayerEventMap>(
     type: K,
@@ -131,6 +136,11 @@ export interface DeciWatchPlayer extends HTMLElement {
   removeEventListener<K extends Exclude<keyof HTMLElementEventMap, keyof PlayerEventMap>>(
     type: K,
     listener: (this: DeciWatchPlayer, event: HTMLElementEventMap[K]) => unknown,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  removeEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
     options?: boolean | EventListenerOptions,
   ): void;
 }

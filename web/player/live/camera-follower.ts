@@ -35,6 +35,8 @@ export class CameraFollower {
   #camera: Camera | null = null;
   #session: LiveSession | null = null;
   #opening = false;
+  /** The newest start that nothing has stopped. */
+  #asked: object | null = null;
   #report: LiveReport | null = null;
   #frameRequest = 0;
   #reportTimer = 0;
@@ -81,10 +83,14 @@ export class CameraFollower {
     if (this.#opening) return null;
     this.stop();
     this.#opening = true;
+    const asked = {};
+    this.#asked = asked;
     this.#host.changed();
     try {
+      // What cannot be followed is not asked for.
+      settings();
       const camera = await openCamera(id);
-      if (!this.#opening) {
+      if (this.#asked !== asked) {
         camera.close();
         return null;
       }
@@ -93,11 +99,13 @@ export class CameraFollower {
       this.#follow(settings());
       return camera;
     } catch (error) {
-      this.#fail(error);
+      if (this.#asked === asked) this.#fail(error);
       return null;
     } finally {
-      this.#opening = false;
-      this.#host.changed();
+      if (this.#asked === asked) {
+        this.#opening = false;
+        this.#host.changed();
+      }
     }
   }
 
@@ -121,6 +129,7 @@ export class CameraFollower {
     cancelAnimationFrame(this.#frameRequest);
     clearInterval(this.#reportTimer);
     this.#opening = false;
+    this.#asked = null;
     this.#session?.close();
     this.#session = null;
     this.#camera?.close();

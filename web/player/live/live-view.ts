@@ -57,6 +57,12 @@ export class LiveView extends LitElement {
     `;
   }
 
+  override connectedCallback(): void {
+    super.connectedCallback();
+    // Moved within the page.
+    if (this.hasUpdated) this.attach();
+  }
+
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.release();
@@ -91,7 +97,10 @@ export class LiveView extends LitElement {
   }
 
   protected override updated(changes: PropertyValues<this>): void {
-    if (!changes.has('stream')) return;
+    if (changes.has('stream')) this.attach();
+  }
+
+  private attach(): void {
     this.release();
     if (!this.stream) return;
     // Lit sets attributes, and a muted attribute that is set late does not mute.

@@ -66,6 +66,7 @@ export class ClipView extends LitElement {
       <video
         data-testid="video"
         playsinline
+        crossorigin="anonymous"
         .loop=${this.loop}
         .preload=${this.preload}
         .volume=${this.volume}
@@ -95,7 +96,10 @@ export class ClipView extends LitElement {
   protected override updated(changes: PropertyValues<this>): void {
     if (changes.has('src')) {
       if (this.src) this.video.src = this.src;
-      else this.video.removeAttribute('src');
+      else {
+        this.video.removeAttribute('src');
+        this.video.load();
+      }
     }
     if (changes.has('clip')) this.playback?.setTimes(this.clip?.poses2d.times ?? null);
     if (changes.has('rate')) this.setRate();

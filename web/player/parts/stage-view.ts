@@ -8,7 +8,7 @@ import type { Stage, StagePose } from '../../stage/stage.ts';
 import { element } from './element.ts';
 import { icon } from './icons.ts';
 import { sharedStyles } from './styles.ts';
-import { ThemeController } from './theme.ts';
+import { ThemeController, themeStyles } from './theme.ts';
 
 const VIEWS: readonly { view: View; label: string }[] = [
   { view: 'angle', label: 'Angle' },
@@ -45,27 +45,29 @@ export class StageView extends LitElement {
 
   static override styles = [
     sharedStyles,
+    themeStyles,
     css`
       :host { display: block; position: relative; background: var(--sunken); overflow: hidden; container-type: inline-size; }
       .canvas { position: absolute; inset: 0; cursor: grab; }
       .canvas:active { cursor: grabbing; }
       .canvas:focus-visible { outline-offset: -3px; border-radius: var(--round); }
-      .bar { position: absolute; left: 0.625rem; right: 0.625rem; display: flex; justify-content: space-between; pointer-events: none; }
-      .top { top: 0.625rem; }
-      .bottom { bottom: 0.625rem; align-items: end; }
+      .bar { position: absolute; left: 10px; right: 10px; display: flex; justify-content: space-between; pointer-events: none; }
+      .top { top: 10px; }
+      .bottom { bottom: 10px; align-items: end; }
       .group { display: flex; gap: 2px; pointer-events: auto; }
       .group button {
-        min-height: 2.125rem; min-width: 2.125rem; padding: 0 0.5rem; font-size: 0.8125rem; border-color: transparent;
+        min-height: 34px; min-width: 34px; padding: 0 8px; font-size: 13px; border-color: transparent;
         background: transparent; color: var(--muted);
       }
       .group button:hover { background: var(--hover); color: var(--ink); }
       .group button[aria-pressed='true'] { color: var(--ink); background: var(--pressed); font-weight: 560; }
-      @container (max-width: 18rem) {
-        .bar { left: 0.25rem; right: 0.25rem; }
-        .group button { padding: 0 0.25rem; min-width: 1.75rem; font-size: 0.75rem; }
+      @container (max-width: 288px) {
+        .bar { left: 4px; right: 4px; }
+        .group button { padding: 0 4px; min-width: 28px; font-size: 12px; }
+        .hint, .trails { display: none; }
       }
-      .hint { font-size: 0.75rem; color: var(--muted); padding: 0 0.375rem 0.375rem; }
-      .message, .nobody { position: absolute; inset: 0; display: grid; place-content: center; padding: 3.5rem 2rem; text-align: center; color: var(--muted); }
+      .hint { font-size: 12px; color: var(--muted); padding: 0 6px 6px; }
+      .message, .nobody { position: absolute; inset: 0; display: grid; place-content: center; padding: 56px 32px; text-align: center; color: var(--muted); }
       .message { background: var(--sunken); }
       .nobody { pointer-events: none; opacity: 0; }
       .nobody.shown { opacity: 1; transition: opacity 250ms; }
@@ -95,7 +97,7 @@ export class StageView extends LitElement {
       html`<button aria-label=${label} title=${label} @click=${act}>${icon(name)}</button>`;
     return html`
       <div class="bar top">
-        <div class="group" role="group" aria-label="View">
+        <div class="group" role="group" aria-label="Viewpoint">
           ${VIEWS.map(
             ({ view, label }) => html`<button
               aria-pressed=${this.view === view}
@@ -103,7 +105,7 @@ export class StageView extends LitElement {
             >${label}</button>`,
           )}
         </div>
-        <div class="group" ?hidden=${this.live !== null}>
+        <div class="group trails" ?hidden=${this.live !== null}>
           <button
             aria-pressed=${this.trails}
             title="Paths of wrists and ankles: large dots were watched, small ones recovered"

@@ -6,13 +6,13 @@ export const sharedStyles = css`
   :host([hidden]), [hidden] { display: none !important; }
   h2, h3, p, dl, dd, figure, fieldset, legend { margin: 0; padding: 0; }
   fieldset { border: 0; min-width: 0; }
-  h2 { font-size: 0.9375rem; font-weight: 620; letter-spacing: -0.005em; }
+  h2 { font-size: 15px; font-weight: 620; letter-spacing: -0.005em; }
   svg { display: block; flex: none; }
 
   button, select {
     font: inherit; color: inherit; cursor: pointer;
-    display: inline-flex; align-items: center; justify-content: center; gap: 0.5rem;
-    min-height: 2.5rem; min-width: 2.5rem; padding: 0 0.875rem;
+    display: inline-flex; align-items: center; justify-content: center; gap: 8px;
+    min-height: 40px; min-width: 40px; padding: 0 14px;
     border: 1px solid var(--line); border-radius: var(--round-small); background: var(--surface);
     transition: background-color 120ms, border-color 120ms;
   }

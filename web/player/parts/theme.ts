@@ -1,9 +1,14 @@
-import type { ReactiveController, ReactiveControllerHost } from 'lit';
+import { css, type ReactiveController, type ReactiveControllerHost } from 'lit';
 import type { Theme } from '../../stage/palette.ts';
+
+/** For the host's styles: a colour that nobody sees, whose change tells of another scheme by a page's own switch. */
+export const themeStyles = css`
+  :host { text-decoration-color: light-dark(black, white); transition: text-decoration-color 1ms; }
+`;
 
 /**
  * Light or dark, as CSS `light-dark()` sees it where the host is: the system's setting where the page allows
- * both, else what the page is. Re-renders its host when the system's setting changes.
+ * both, else what the page is. Re-renders its host when that changes; the host must have {@link themeStyles}.
  */
 export class ThemeController implements ReactiveController {
   readonly #query = matchMedia('(prefers-color-scheme: dark)');
@@ -21,11 +26,13 @@ export class ThemeController implements ReactiveController {
 
   hostConnected(): void {
     this.#query.addEventListener('change', this.#look);
+    this.#host.addEventListener('transitionend', this.#look);
     this.#look();
   }
 
   hostDisconnected(): void {
     this.#query.removeEventListener('change', this.#look);
+    this.#host.removeEventListener('transitionend', this.#look);
   }
 
   readonly #look = () => {

@@ -7,7 +7,7 @@ import { describeFrame } from './clip-words.ts';
 import { element } from './element.ts';
 import { prepareCanvas } from './hi-dpi-canvas.ts';
 import { sharedStyles } from './styles.ts';
-import { ThemeController } from './theme.ts';
+import { ThemeController, themeStyles } from './theme.ts';
 import { frameX, paintTimeline } from './timeline-painter.ts';
 
 /** CSS pixels; the slider's thumb is twice this wide. */
@@ -37,15 +37,16 @@ export class Timeline extends LitElement {
 
   static override styles = [
     sharedStyles,
+    themeStyles,
     css`
       :host { display: block; --thumb: ${INSET * 2}px; }
-      .track { position: relative; height: 3.75rem; border-radius: 6px; }
+      .track { direction: ltr; position: relative; height: 60px; border-radius: 6px; }
       .track:focus-within:has(:focus-visible) { outline: 2px solid var(--focus); outline-offset: 4px; }
       .track.empty::before {
         content: ''; position: absolute; inset: auto ${INSET}px 16px; height: 18px;
         background: repeating-linear-gradient(90deg, var(--line) 0 2px, transparent 2px 11px);
       }
-      canvas { position: absolute; inset: 0; width: 100%; height: 100%; font: 0.6875rem system-ui, sans-serif; }
+      canvas { position: absolute; inset: 0; width: 100%; height: 100%; font: 11px system-ui, sans-serif; }
       .cursor {
         position: absolute; top: -3px; bottom: 13px; left: -1px; width: 2px; border-radius: 1px; background: var(--ink);
         pointer-events: none; box-shadow: 0 0 0 1.5px var(--surface);
@@ -56,19 +57,19 @@ export class Timeline extends LitElement {
       }
       input { position: absolute; inset: 0; width: 100%; height: 100%; margin: 0; appearance: none; background: none; cursor: ew-resize; outline: none; }
       input:disabled { cursor: default; }
-      input::-webkit-slider-thumb { appearance: none; width: var(--thumb); height: 3.75rem; background: none; }
-      input::-moz-range-thumb { width: var(--thumb); height: 3.75rem; background: none; border: 0; }
-      .legend { display: flex; flex-wrap: wrap; gap: 0.25rem 1.125rem; margin: 0.5rem ${INSET - 1}px 0; font-size: 0.8125rem; color: var(--muted); }
-      .legend span { display: inline-flex; align-items: center; gap: 0.4375rem; }
+      input::-webkit-slider-thumb { appearance: none; width: var(--thumb); height: 60px; background: none; }
+      input::-moz-range-thumb { width: var(--thumb); height: 60px; background: none; border: 0; }
+      .legend { display: flex; flex-wrap: wrap; gap: 4px 18px; margin: 8px ${INSET - 1}px 0; font-size: 13px; color: var(--muted); }
+      .legend span { display: inline-flex; align-items: center; gap: 7px; }
       i { display: inline-block; border-radius: 1px; }
       .watched { width: 3px; height: 14px; background: var(--ink); }
       .recovered { width: 2px; height: 8px; background: var(--accent); }
       .gap { width: 10px; height: 2px; background: var(--line-strong); }
       .dot { width: 10px; height: 10px; border-radius: 50%; }
-      :host([compact]) .track { height: 2rem; }
+      :host([compact]) .track { height: 32px; }
       :host([compact]) .cursor { bottom: 0; }
-      :host([compact]) input::-webkit-slider-thumb { height: 2rem; }
-      :host([compact]) input::-moz-range-thumb { height: 2rem; }
+      :host([compact]) input::-webkit-slider-thumb { height: 32px; }
+      :host([compact]) input::-moz-range-thumb { height: 32px; }
       :host([compact]) .track.empty::before { inset: auto ${INSET}px 4px; }
     `,
   ];

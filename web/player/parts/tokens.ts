@@ -23,7 +23,7 @@ export const tokens = css`
     --video: var(--deciwatch-video, #0b0f14);
     --round: var(--deciwatch-radius, 10px);
     --round-small: calc(var(--round) * 0.7);
-    font: 400 1rem/1.45 var(--deciwatch-font, system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", sans-serif);
+    font: 400 16px/1.45 var(--deciwatch-font, system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", sans-serif);
     color: var(--ink);
     text-align: start;
     letter-spacing: normal;
