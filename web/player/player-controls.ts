@@ -52,7 +52,7 @@ export class PlayerControls extends LitElement {
       .views button { font-size: 13px; padding: 0 8px; }
       @container (max-width: 544px) {
         .extra { margin-left: auto; }
-        .cost { order: 1; flex-basis: 144px; white-space: normal; }
+        .cost { order: 1; flex: 1 1 max(144px, 100% - 150px); white-space: normal; }
         .views { order: 2; }
       }
     `,
