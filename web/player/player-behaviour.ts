@@ -29,7 +29,7 @@ const DEFAULT_ASPECT = 16 / 9;
  */
 export abstract class PlayerBehaviour extends PlayerProperties {
   @state() protected frame = 0;
-  @state() protected wantedNow = false;
+  @state() private wantedNow = false;
   /** Has been played or gone through: the poster has done its duty. */
   @state() protected started = false;
   @state() protected aspect = DEFAULT_ASPECT;
@@ -37,7 +37,7 @@ export abstract class PlayerBehaviour extends PlayerProperties {
   @state() protected notice: PlayerErrorDetail | null = null;
   @state() protected status = '';
   @query('dw-clip-view') protected clipView!: ClipView | null;
-  @query('dw-live-view') protected liveView!: LiveView | null;
+  @query('dw-live-view') private liveView!: LiveView | null;
   @query('dw-stage-view') protected stageView!: StageView | null;
 
   /** Asked to play, and neither asked to stop nor at the end. */
@@ -72,19 +72,19 @@ export abstract class PlayerBehaviour extends PlayerProperties {
     cost: (report) => this.tell('cost', report),
   });
   protected readonly sight = new SightController(this, (inSight) => this.seen(inSight));
-  protected borrowed: BorrowedEngine | null = null;
+  private borrowed: BorrowedEngine | null = null;
   /** Loading or playing has been begun, by itself or by somebody: once for each source. */
-  protected begun = false;
+  private begun = false;
   /** Paused since it was out of sight: goes on when it is seen again. */
-  protected resting = false;
+  private resting = false;
   /** There has been something for the 3D view to show. */
   protected staged = false;
   /** Counts plays and pauses: a play that waits is overtaken by what is asked after it. */
-  protected asked = 0;
+  private asked = 0;
   /** The browser's `<video>` cannot show the clip. */
-  protected unplayable = false;
+  private unplayable = false;
   /** Seconds to go to once the clip is there. */
-  protected seekTo: number | null = null;
+  private seekTo: number | null = null;
 
   get poses(): PoseSequence | null {
     return this.clip?.poses2d ?? null;
@@ -202,7 +202,7 @@ export abstract class PlayerBehaviour extends PlayerProperties {
   }
 
   /** What begins by itself, once the player is in sight. */
-  protected begin(): void {
+  private begin(): void {
     if (this.begun || !this.sight.inSight || !this.hasSource) return;
     const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
     if (this.autoplay && !still) {
@@ -213,18 +213,18 @@ export abstract class PlayerBehaviour extends PlayerProperties {
     }
   }
 
-  protected borrow(): Engine {
+  private borrow(): Engine {
     this.borrowed ??= borrowEngine(this.models);
     return this.borrowed.engine;
   }
 
   /** A source that was set a moment ago takes the place of the old one with the next update. */
-  protected async settled(): Promise<void> {
+  private async settled(): Promise<void> {
     if (this.hasUpdated && this.isUpdatePending) await this.updateComplete;
   }
 
   /** @throws DeciWatchError `bad-option` */
-  protected source(): Blob | URL {
+  private source(): Blob | URL {
     const { srcObject } = this;
     if (srcObject instanceof Blob) return srcObject;
     if (srcObject) {
@@ -241,13 +241,13 @@ export abstract class PlayerBehaviour extends PlayerProperties {
     }
   }
 
-  protected progressed(progress: RecoverProgress): void {
+  private progressed(progress: RecoverProgress): void {
     const words = `${this.progressWords(progress)}.`;
     if (words !== this.status) this.status = words;
     this.tell('progress', progress);
   }
 
-  protected async finish(clip: RecoveredClip): Promise<void> {
+  private async finish(clip: RecoveredClip): Promise<void> {
     this.aspect = clip.source.width / clip.source.height;
     const { frames, estimatorCalls } = clip.cost;
     const { figure, sentence } = costHeadline(clip.cost);
@@ -264,7 +264,7 @@ export abstract class PlayerBehaviour extends PlayerProperties {
     if (this.wanted) await this.start();
   }
 
-  protected async start(): Promise<void> {
+  private async start(): Promise<void> {
     this.started = true;
     if (!this.sight.inSight) {
       this.resting = true;
@@ -287,7 +287,7 @@ export abstract class PlayerBehaviour extends PlayerProperties {
     }
   }
 
-  protected async follow(): Promise<void> {
+  private async follow(): Promise<void> {
     if (this.cameraSide.on) return;
     this.begun = true;
     this.status = 'Asking for the camera.';
@@ -295,7 +295,7 @@ export abstract class PlayerBehaviour extends PlayerProperties {
   }
 
   /** @throws DeciWatchError `bad-option` */
-  protected liveSettings(): LiveSettings {
+  private liveSettings(): LiveSettings {
     const { every, estimator, mode } = this;
     if (typeof estimator === 'string') return { every, estimator, mode, load: 'adapt' };
     throw new DeciWatchError(
@@ -304,7 +304,7 @@ export abstract class PlayerBehaviour extends PlayerProperties {
     );
   }
 
-  protected changeSettings(): void {
+  private changeSettings(): void {
     if (this.problem) {
       // Perhaps that was what was wrong.
       this.problem = null;
@@ -320,7 +320,7 @@ export abstract class PlayerBehaviour extends PlayerProperties {
   }
 
   /** Lets go of all that belongs to the source, and of the engine. */
-  protected reset(): void {
+  private reset(): void {
     this.wanted = false;
     this.resting = false;
     this.begun = false;
@@ -337,7 +337,7 @@ export abstract class PlayerBehaviour extends PlayerProperties {
     this.borrowed = null;
   }
 
-  protected seen(inSight: boolean): void {
+  private seen(inSight: boolean): void {
     if (!inSight && this.wanted) {
       this.resting = true;
       this.clipView?.playback?.pause();
@@ -393,7 +393,7 @@ export abstract class PlayerBehaviour extends PlayerProperties {
     );
   }
 
-  protected async checkSource(): Promise<void> {
+  private async checkSource(): Promise<void> {
     const { src } = this;
     try {
       const source = this.source();
@@ -415,7 +415,7 @@ export abstract class PlayerBehaviour extends PlayerProperties {
     this.requestUpdate();
   }
 
-  protected draw({ time, pose }: Moment, stage: boolean): void {
+  private draw({ time, pose }: Moment, stage: boolean): void {
     this.liveView?.paint({ time, pose });
     if (!stage) return;
     this.stageView?.showPose(
@@ -423,7 +423,7 @@ export abstract class PlayerBehaviour extends PlayerProperties {
     );
   }
 
-  protected fail(error: unknown): void {
+  private fail(error: unknown): void {
     this.wanted = false;
     this.resting = false;
     this.clipView?.playback?.pause();
@@ -438,10 +438,7 @@ export abstract class PlayerBehaviour extends PlayerProperties {
     this.tell('error', this.notice);
   }
 
-  protected tell<K extends keyof PlayerEventMap>(
-    type: K,
-    detail: PlayerEventMap[K]['detail'],
-  ): void {
+  private tell<K extends keyof PlayerEventMap>(type: K, detail: PlayerEventMap[K]['detail']): void {
     this.dispatchEvent(new CustomEvent(type, { detail }));
   }
 }

@@ -25,9 +25,9 @@ const PLAYER_VIEWS: readonly PlayerView[] = ['overlay', 'stage', 'both'];
 @element('deciwatch-player')
 export class PlayerElement extends PlayerBehaviour implements DeciWatchPlayer {
   @query('dw-player-controls') protected controlBar!: PlayerControls | null;
-  protected readonly fullscreen = new FullscreenController(this);
+  private readonly fullscreen = new FullscreenController(this);
   /** The focus was in the cover before the update under way. */
-  protected coverFocused = false;
+  private coverFocused = false;
 
   constructor() {
     super();
@@ -66,7 +66,7 @@ export class PlayerElement extends PlayerBehaviour implements DeciWatchPlayer {
   }
 
   /** A button in the middle that has been used goes, and must not take the keyboard's place with it. */
-  protected keepFocus(): void {
+  private keepFocus(): void {
     const { shadowRoot } = this;
     if (!this.coverFocused || shadowRoot?.activeElement) return;
     const next = shadowRoot?.querySelector<HTMLElement>('.cover button:not(:disabled)');
@@ -75,11 +75,11 @@ export class PlayerElement extends PlayerBehaviour implements DeciWatchPlayer {
     else shadowRoot?.querySelector<HTMLElement>('.player')?.focus();
   }
 
-  protected get shownView(): PlayerView {
+  private get shownView(): PlayerView {
     return PLAYER_VIEWS.find((view) => view === this.view) ?? 'both';
   }
 
-  protected renderVideo() {
+  private renderVideo() {
     return html`<dw-clip-view
       part="video"
       class=${this.clipSide.progress && this.clip ? 'dimmed' : ''}
@@ -100,7 +100,7 @@ export class PlayerElement extends PlayerBehaviour implements DeciWatchPlayer {
     ></dw-clip-view>`;
   }
 
-  protected renderCamera() {
+  private renderCamera() {
     return html`<dw-live-view
       part="video"
       .stream=${this.cameraSide.stream}
@@ -111,7 +111,7 @@ export class PlayerElement extends PlayerBehaviour implements DeciWatchPlayer {
     ></dw-live-view>`;
   }
 
-  protected renderStage() {
+  private renderStage() {
     // A page may have many players, but a browser has few WebGL contexts: none before it is needed.
     this.staged ||= this.clip !== null || this.clipSide.progress !== null || this.cameraSide.on;
     if (!this.staged)
@@ -127,7 +127,7 @@ export class PlayerElement extends PlayerBehaviour implements DeciWatchPlayer {
     ></dw-stage-view>`;
   }
 
-  protected renderControls() {
+  private renderControls() {
     return html`<dw-player-controls
       part="controls"
       exportparts="timeline, cost"
@@ -143,7 +143,7 @@ export class PlayerElement extends PlayerBehaviour implements DeciWatchPlayer {
   }
 
   /** What must be read, or is being done. */
-  protected renderCover() {
+  private renderCover() {
     if (this.problem) return renderProblem(this.problem, () => void this.play());
     const { progress } = this.clipSide;
     return progress && !this.clip
@@ -151,7 +151,7 @@ export class PlayerElement extends PlayerBehaviour implements DeciWatchPlayer {
       : nothing;
   }
 
-  protected renderOverPicture() {
+  private renderOverPicture() {
     return html`
       ${this.started || this.cameraSide.on ? nothing : renderPoster(this.poster)}
       ${this.problem || (this.clipSide.progress && !this.clip) ? nothing : this.renderStart()}
@@ -159,7 +159,7 @@ export class PlayerElement extends PlayerBehaviour implements DeciWatchPlayer {
   }
 
   /** With a bar of controls the button goes once it has been used. */
-  protected renderStart() {
+  private renderStart() {
     const running = this.wanted;
     if (this.controls && (running || this.started || this.cameraSide.on)) return nothing;
     return renderStart({
@@ -171,7 +171,7 @@ export class PlayerElement extends PlayerBehaviour implements DeciWatchPlayer {
   }
 
   /** The clip's own address, for its first picture, until the clip has been fetched. */
-  protected previewUrl(): string | null {
+  private previewUrl(): string | null {
     // What loads at once needs no picture before.
     const fetchesAtOnce = this.autoplay || this.preload === 'auto';
     if (this.preload === 'none' || fetchesAtOnce || !this.sight.inSight || this.problem)
@@ -180,7 +180,7 @@ export class PlayerElement extends PlayerBehaviour implements DeciWatchPlayer {
     return URL.canParse(this.src, this.baseURI) ? new URL(this.src, this.baseURI).href : null;
   }
 
-  protected obey(action: ControlAction): void {
+  private obey(action: ControlAction): void {
     const playback = this.clipView?.playback;
     switch (action.kind) {
       case 'toggle':

@@ -19,12 +19,13 @@ export const playerStyles = css`
   /* It plays on beneath: a video that is not shown at all tells of no frames. */
   .panes.stage > dw-clip-view, .panes.stage > dw-live-view { position: absolute; inset: 0; }
   .panes.stage > dw-stage-view { z-index: 1; }
-  .cover { z-index: 2; }
   .unstaged { background: var(--sunken); display: grid; place-items: end center; padding: 12px; font-size: 13px; color: var(--muted); text-align: center; }
   .dimmed { opacity: 0.45; }
 
-  .cover { position: absolute; inset: 0; display: grid; place-items: center; pointer-events: none; }
-  .cover { grid-template: minmax(0, 1fr) / minmax(0, 1fr); }
+  .cover {
+    position: absolute; inset: 0; z-index: 2; pointer-events: none;
+    display: grid; grid-template: minmax(0, 1fr) / minmax(0, 1fr); place-items: center;
+  }
   /* The picture's own place; what must be read may cover both. */
   .both > .over-picture { grid-area: 1 / 1 / 2 / 2; }
   .cover > *, .poster, .cover slot > *, slot::slotted(*) { grid-area: 1 / 1; pointer-events: auto; }
