@@ -119,6 +119,26 @@ describe('keeping the page for offline use', { timeout: 400_000 }, () => {
     const page = await open();
     await keep(page);
     const before = await keptRelease(page);
+    // A slow device and connection, and a page that always just looks at what it keeps: it is kept all the same.
+    await page.addInitScript(() => {
+      const { keys } = CacheStorage.prototype;
+      CacheStorage.prototype.keys = async function (this: CacheStorage) {
+        return new Promise<void>((resolve) => setTimeout(resolve, 100)).then(() => keys.call(this));
+      };
+      const { fetch } = window;
+      window.fetch = async (input, init) => {
+        if (String(input).includes('offline.json')) {
+          await new Promise((resolve) => setTimeout(resolve, 1000));
+        }
+        return fetch(input, init);
+      };
+      document.addEventListener('DOMContentLoaded', () => {
+        setInterval(() => {
+          document.documentElement.dataset.estimator ??= 'full';
+          document.documentElement.dataset.estimator += '';
+        }, 20);
+      });
+    });
     const index = join(site.folder, 'index.html');
     const list = join(site.folder, 'offline.json');
     const [oldIndex, oldList] = await Promise.all([readFile(index), readFile(list, 'utf8')]);
@@ -134,6 +154,7 @@ describe('keeping the page for offline use', { timeout: 400_000 }, () => {
       served.requests.splice(0);
       await page.reload();
       await expect.poll(() => keptRelease(page), SLOW).toBe('0123456789abcdef');
+      expect(await page.getByTestId('offline-failure').count()).toBe(0);
       expect(before).not.toBe('0123456789abcdef');
       await expect.poll(async () => (await stored(page)).caches.length).toBe(1);
       // What is the same in both is not fetched again.

@@ -41,12 +41,10 @@ export class OfflineCopy {
 
   /** What is kept, if all of it is there. Puts away what a tab left unfinished. */
   async read(): Promise<KeptCopy | null> {
-    const newest = (await this.#registration())
-      ? (await wholeCopies(this.scope)).at(-1)
-      : undefined;
     await navigator.locks.request(this.#prefix, { ifAvailable: true }, async (lock) => {
-      if (lock) await this.#dropAllBut(newest?.name);
+      if (lock) await this.#dropAllBut((await this.#newest())?.name);
     });
+    const newest = await this.#newest();
     const list = await newest?.cache.match(this.#address(LIST));
     const release = list ? await parseRelease(list) : null;
     if (!newest || !release) return null;
@@ -68,8 +66,7 @@ export class OfflineCopy {
     onProgress: (done: number, total: number) => void,
     signal: AbortSignal,
   ): Promise<void> {
-    await navigator.locks.request(this.#prefix, { ifAvailable: true }, async (lock) => {
-      if (!lock) throw new OfflineError('busy');
+    await this.#alone(async () => {
       const before = await wholeCopies(this.scope);
       const name = `${this.#prefix}${release.release}`;
       try {
@@ -90,6 +87,21 @@ export class OfflineCopy {
       await (await this.#registration())?.unregister();
       await this.#dropAllBut();
     });
+  }
+
+  /**
+   * Keeping is refused while another tab keeps, and waits for the rest: a tab that only looks at what is kept
+   * puts away what is unfinished, which takes a moment.
+   */
+  async #alone(work: () => Promise<void>): Promise<void> {
+    await navigator.locks.request(`${this.#prefix}keeping`, { ifAvailable: true }, async (lock) => {
+      if (!lock) throw new OfflineError('busy');
+      await navigator.locks.request(this.#prefix, work);
+    });
+  }
+
+  async #newest() {
+    return (await this.#registration()) ? (await wholeCopies(this.scope)).at(-1) : undefined;
   }
 
   async #fill(
