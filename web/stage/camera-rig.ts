@@ -12,6 +12,14 @@ const VIEWS: Readonly<Record<StageView, readonly [number, number]>> = {
   top: [0, 4],
 };
 
+/** Where the camera was put. */
+export interface CameraPlace {
+  /** Metres and radians, seen from the person. */
+  readonly from: Spherical;
+  /** A person has moved it. */
+  readonly moved: boolean;
+}
+
 const FOV_DEG = 30;
 /** Room round the person, as a share of their size: buttons lie over the picture's top and bottom. */
 const MARGIN = 1.42;
@@ -90,6 +98,18 @@ export class CameraRig {
     const to = this.#glide?.to.clone() ?? this.#current();
     to.radius = MathUtils.clamp(to.radius / factor, 1, 14);
     this.#go(to, true);
+  }
+
+  /** Where it is, or will be once it has come to rest. */
+  get place(): CameraPlace {
+    return { from: this.#glide?.to.clone() ?? this.#current(), moved: !this.#atHome };
+  }
+
+  /** Goes back to where another rig was. */
+  put({ from, moved }: CameraPlace): void {
+    if (!moved) return;
+    this.#atHome = false;
+    this.#go(from, false);
   }
 
   /** Advances gliding and damping. `onMove` is called where another picture will be needed. */

@@ -3,7 +3,8 @@ import { property, query, state } from 'lit/decorators.js';
 import { DeciWatchError } from '../../errors.ts';
 import { BLAZEPOSE_33 } from '../../pose/blazepose33.ts';
 import { hasPose, type PoseSequence } from '../../pose/sequence.ts';
-import type { StageView as View } from '../../stage/camera-rig.ts';
+import type { CameraPlace, StageView as View } from '../../stage/camera-rig.ts';
+import { ContextShare, type Drawer } from '../../stage/context-share.ts';
 import type { Stage, StagePose } from '../../stage/stage.ts';
 import { element } from './element.ts';
 import { icon } from './icons.ts';
@@ -18,16 +19,21 @@ const VIEWS: readonly { view: View; label: string }[] = [
 ];
 const LOST = 'The graphics card dropped the 3D view; it comes back by itself.';
 const NOT_LOADED = 'The 3D view could not be loaded; reload the page to try again.';
+/** Phones have eight, and the page may draw by WebGL itself. */
+const contexts = new ContextShare(6);
+/** About a screen beyond the window's edge: it is there again before it is seen. */
+const SIGHT_MARGIN = '50%';
 const TURN_DEG = 15;
 const ZOOM = 1.2;
 
 /**
- * The 3D view of the poses, with its camera's buttons and keys.
+ * The 3D view of the poses, with its camera's buttons and keys. On a page with many of them, those out of sight
+ * rest without a WebGL context, and come back as they were.
  *
  * @fires unavailable with a DeciWatchError as detail, where there is no 3D view
  */
 @element('dw-stage-view')
-export class StageView extends LitElement {
+export class StageView extends LitElement implements Drawer {
   @property({ attribute: false }) sequence: PoseSequence | null = null;
   @property({ attribute: false }) frame = 0;
   /** The sequence is shown as in a mirror. */
@@ -41,6 +47,13 @@ export class StageView extends LitElement {
   @state() private message = '';
   @query('.canvas') private container!: HTMLElement;
   private stage: Stage | null = null;
+  private place: CameraPlace | null = null;
+  private resting = false;
+  private seen = false;
+  private readonly sight = new IntersectionObserver(
+    (entries) => this.looked(entries.at(-1)!.isIntersecting),
+    { rootMargin: SIGHT_MARGIN },
+  );
   private readonly themes = new ThemeController(this);
 
   static override styles = [
@@ -127,13 +140,35 @@ export class StageView extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
+    this.sight.observe(this);
     void this.start();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    this.sight.disconnect();
+    contexts.leave(this);
+    this.rest();
+    this.resting = false;
+    this.seen = false;
+  }
+
+  get inSight(): boolean {
+    return this.seen;
+  }
+
+  rest(): void {
+    this.resting = true;
+    this.place = this.stage?.camera.place ?? this.place;
     this.stage?.dispose();
     this.stage = null;
+  }
+
+  private looked(inSight: boolean): void {
+    this.seen = inSight;
+    if (!inSight) return;
+    if (this.stage) contexts.join(this);
+    else if (this.resting) void this.start();
   }
 
   protected override updated(changes: PropertyValues<this>): void {
@@ -154,7 +189,9 @@ export class StageView extends LitElement {
     try {
       const { Stage } = await import('../../stage/stage.ts');
       await this.updateComplete;
-      if (!this.isConnected || this.stage) return;
+      if (!this.isConnected || this.stage || !contexts.join(this)) return;
+      this.resting = false;
+      this.message = '';
       this.shownTheme = this.themes.theme;
       this.stage = new Stage(this.container, {
         theme: this.shownTheme,
@@ -163,7 +200,10 @@ export class StageView extends LitElement {
         },
       });
       this.fill();
+      this.stage.setTrails(this.trails);
+      if (this.place) this.stage.camera.put(this.place);
     } catch (error) {
+      contexts.leave(this);
       const detail =
         error instanceof DeciWatchError
           ? error
