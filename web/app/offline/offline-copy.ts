@@ -39,11 +39,8 @@ export class OfflineCopy {
     this.#prefix = cachePrefix(scope);
   }
 
-  /** What is kept, if all of it is there. Puts away what a tab left unfinished. */
+  /** What is kept, if all of it is there. */
   async read(): Promise<KeptCopy | null> {
-    await navigator.locks.request(this.#prefix, { ifAvailable: true }, async (lock) => {
-      if (lock) await this.#dropAllBut((await this.#newest())?.name);
-    });
     const newest = await this.#newest();
     const list = await newest?.cache.match(this.#address(LIST));
     const release = list ? await parseRelease(list) : null;
@@ -81,6 +78,13 @@ export class OfflineCopy {
     });
   }
 
+  /** Puts away what a closed tab left unfinished, once no tab is at work. */
+  async tidy(): Promise<void> {
+    await navigator.locks.request(this.#prefix, async () => {
+      await this.#dropAllBut((await this.#newest())?.name);
+    });
+  }
+
   /** Removes all that is kept, and the service worker. */
   async remove(): Promise<void> {
     await navigator.locks.request(this.#prefix, async () => {
@@ -89,10 +93,7 @@ export class OfflineCopy {
     });
   }
 
-  /**
-   * Keeping is refused while another tab keeps, and waits for the rest: a tab that only looks at what is kept
-   * puts away what is unfinished, which takes a moment.
-   */
+  /** Keeping is refused while another tab keeps, and waits for one that only tidies. */
   async #alone(work: () => Promise<void>): Promise<void> {
     await navigator.locks.request(`${this.#prefix}keeping`, { ifAvailable: true }, async (lock) => {
       if (!lock) throw new OfflineError('busy');

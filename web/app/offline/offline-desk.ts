@@ -23,6 +23,9 @@ export class OfflineDesk implements ReactiveController {
   #keeping: Keeping | null = null;
   #failure: OfflineFailure | null = null;
   #removed = false;
+  /** Counts what has begun to change what is kept: a look from before it is out of date. */
+  #changes = 0;
+  #removing = false;
   #cancelling = new AbortController();
 
   constructor(
@@ -72,11 +75,10 @@ export class OfflineDesk implements ReactiveController {
 
   /** Looks again at what is kept: the service worker keeps estimators as they come into use. */
   async look(): Promise<void> {
-    const before = this.#kept;
-    if (this.#keeping || !before) return;
+    if (this.#keeping || this.#removing || !this.#kept) return;
+    const changes = this.#changes;
     const now = await this.#copy.read();
-    // Removed, perhaps, while it was looked at.
-    if (this.#kept !== before) return;
+    if (this.#changes !== changes) return;
     this.#kept = now;
     this.#host.requestUpdate();
   }
@@ -84,6 +86,7 @@ export class OfflineDesk implements ReactiveController {
   async keep(estimators: readonly EstimatorName[], update = false): Promise<void> {
     const release = this.#release;
     if (!release || this.#keeping) return;
+    this.#changes++;
     this.#cancelling = new AbortController();
     const { signal } = this.#cancelling;
     this.#failure = null;
@@ -108,7 +111,10 @@ export class OfflineDesk implements ReactiveController {
   }
 
   async remove(): Promise<void> {
+    this.#changes++;
+    this.#removing = true;
     await this.#copy.remove();
+    this.#removing = false;
     this.#kept = null;
     this.#failure = null;
     this.#removed = true;
@@ -116,6 +122,8 @@ export class OfflineDesk implements ReactiveController {
   }
 
   async #begin(): Promise<void> {
+    // Whatever it comes to: it is tried again at the next visit.
+    this.#copy.tidy().catch(() => {});
     this.#kept = await this.#copy.read().catch(() => null);
     this.#host.requestUpdate();
     // Without a connection there is nothing to offer; what is kept says so itself.
