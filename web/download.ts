@@ -26,7 +26,7 @@ export const fileEntries = {
   sha256: v.pipe(v.string(), v.regex(/^[0-9a-f]{64}$/)),
 };
 
-async function get(url: URL, signal?: AbortSignal): Promise<Response> {
+async function get(url: URL, signal?: AbortSignal): Promise<Uint8Array<ArrayBuffer>> {
   const missing = (why: string, cause?: unknown) =>
     new DeciWatchError(
       'model-missing',
@@ -44,7 +44,12 @@ async function get(url: URL, signal?: AbortSignal): Promise<Response> {
   // Many servers answer with their start page where a file is missing.
   if (response.headers.get('content-type')?.startsWith('text/html'))
     throw missing('a web page came');
-  return response;
+  try {
+    return new Uint8Array(await response.arrayBuffer());
+  } catch (error) {
+    signal?.throwIfAborted();
+    throw missing('it broke off half-way', error);
+  }
 }
 
 /**
@@ -57,7 +62,7 @@ export async function fetchManifest<TSchema extends v.GenericSchema>(
   signal?: AbortSignal,
 ): Promise<v.InferOutput<TSchema>> {
   const url = new URL(manifest);
-  const response = await get(url, signal);
+  const bytes = await get(url, signal);
   const mismatch = (why: string) =>
     new DeciWatchError(
       'model-mismatch',
@@ -65,9 +70,8 @@ export async function fetchManifest<TSchema extends v.GenericSchema>(
     );
   let json: unknown;
   try {
-    json = await response.json();
+    json = JSON.parse(new TextDecoder().decode(bytes));
   } catch {
-    signal?.throwIfAborted();
     throw mismatch('it is not JSON');
   }
   const result = v.safeParse(schema, json);
@@ -89,8 +93,7 @@ export async function fetchListed(
   const url = new URL(set.files?.[entry.file] ?? entry.file, set.manifest);
   // Another file has another address: no cache answers with the one of an earlier release.
   if (url.protocol.startsWith('http')) url.search = versionQuery(entry.sha256);
-  const response = await get(url, signal);
-  const bytes = new Uint8Array(await response.arrayBuffer());
+  const bytes = await get(url, signal);
   const mismatch = (why: string) =>
     new DeciWatchError(
       'model-mismatch',
