@@ -1,4 +1,4 @@
-import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { afterAll, beforeAll, describe, expect, test, vi } from 'vitest';
 import { engineFiles } from '../../web/engine/files.ts';
 import type { SpatialEstimate } from '../../web/estimators/estimator.ts';
 import { type LiveChunk, LiveRecoverer } from '../../web/recovery/live-recoverer.ts';
@@ -12,6 +12,10 @@ let recoverer: Recoverer;
 beforeAll(async () => {
   recoverer = await Recoverer.load(engineFiles().models);
   await recoverer.loadForecasts();
+  // It is asked for at every look; the files come once.
+  const fetched = vi.spyOn(globalThis, 'fetch');
+  await recoverer.loadForecasts();
+  expect(fetched).not.toHaveBeenCalled();
 });
 afterAll(() => recoverer.dispose());
 

@@ -5,6 +5,7 @@ import type { Engine } from '../../web/engine/types.ts';
 import { hasPose } from '../../web/pose/sequence.ts';
 import { openCamera } from '../../web/sources/camera.ts';
 import { CanvasCamera } from './canvas-camera.ts';
+import { fixture } from './fixtures.ts';
 import { OpenFrames } from './open-frames.ts';
 
 const SETTINGS: LiveSettings = { every: 8, estimator: 'lite', mode: 'smooth', load: 'skip' };
@@ -201,7 +202,7 @@ test('a recording of nobody is nothing', async () => {
   expect(await session.stopRecording('nobody.webm')).toBeNull();
 });
 
-test('a second session ends the first, and the engine still recovers files', async () => {
+test('a second session ends the first', async () => {
   start();
   const first = session;
   await until('following');
@@ -210,6 +211,33 @@ test('a second session ends the first, and the engine still recovers files', asy
   const { frames } = first.totals;
   await watch(0.3);
   expect(first.totals.frames).toBe(frames);
+});
+
+test('a clip is recovered meanwhile, by another estimator', { timeout: 3 * MINUTE }, async () => {
+  start();
+  session.onError = (error) => told.push(error.code);
+  const told: string[] = [];
+  await until('following');
+  const gap = await fixture('gap.mp4');
+  const before = session.totals.calls;
+  // The first loads its estimator while the camera is looked at, the second has it.
+  for (let i = 0; i < 2; i++) {
+    const clip = await engine.recover(gap, 'gap.mp4', { every: 20, estimator: 'full' });
+    expect(clip.estimator.name).toBe('full');
+    expect(hasPose(clip.poses2d, 0)).toBe(true);
+  }
+  await until('following');
+  expect(session.totals.calls).toBeGreaterThan(before);
+  expect(told).toEqual([]);
+});
+
+test('an estimator that does not exist is refused, and the session goes on', async () => {
+  start();
+  await until('following');
+  const wrong = { ...SETTINGS, estimator: 'huge' } as unknown as LiveSettings;
+  expect(() => session.change(wrong)).toThrow(/huge/);
+  expect(session.settings).toEqual(SETTINGS);
+  await until('following');
 });
 
 describe('the camera', () => {

@@ -1,4 +1,4 @@
-import { describe, expect, test } from 'vitest';
+import { describe, expect, test, vi } from 'vitest';
 import { CameraClock } from '../../web/engine/live/camera-clock.ts';
 import { LiveStateWatch } from '../../web/engine/live/state.ts';
 import { WorkerLife } from '../../web/engine/worker-life.ts';
@@ -23,6 +23,20 @@ describe('WorkerLife', () => {
     life.onDeath((error) => told.push(`late: ${error.message}`));
     expect(told).toEqual(['gone', 'late: gone']);
   });
+});
+
+test('a worker’s death is told to all, whatever one of them throws', async () => {
+  const report = vi.fn();
+  vi.stubGlobal('reportError', report);
+  const life = new WorkerLife();
+  life.onDeath(() => {
+    throw new Error('a listener of the page’s');
+  });
+  const waiting = life.whileAlive(new Promise(() => {}));
+  life.end(new Error('gone'));
+  await expect(waiting).rejects.toThrow('gone');
+  expect(report).toHaveBeenCalledOnce();
+  vi.unstubAllGlobals();
 });
 
 describe('LiveStateWatch', () => {

@@ -1,14 +1,17 @@
 import * as Comlink from 'comlink';
 import { DeciWatchError } from '../errors.ts';
-import { ESTIMATOR_NAMES, type EstimatorName } from '../estimators/names.ts';
+import type { EstimatorName } from '../estimators/names.ts';
 import { checkInterval } from '../sampling/watched.ts';
 import { CallerEstimator } from './caller-estimator.ts';
+import { checkEstimator } from './check-estimator.ts';
 import { type EngineFiles, engineFiles } from './files.ts';
 import { WorkerLiveSession } from './live/session.ts';
 import type { LiveSession, LiveSettings } from './live/types.ts';
 import type { EngineWorker, Outcome } from './messages.ts';
+import { crash, errorOf } from './outcome.ts';
 import { startWorker } from './start-worker.ts';
 import type { Engine, RecoveredClip, RecoverOptions, RecoverProgress } from './types.ts';
+import { untilAborted } from './until-aborted.ts';
 import { WorkerLife } from './worker-life.ts';
 
 /** For those who serve the models from elsewhere, or their own. */
@@ -27,21 +30,6 @@ export interface EngineOptions {
  */
 export function createEngine(options: EngineOptions = {}): Engine {
   return new WorkerEngine(engineFiles(options.models));
-}
-
-function checkEstimator(name: unknown): void {
-  if (ESTIMATOR_NAMES.some((known) => known === name)) return;
-  if (typeof name === 'object' && name !== null) {
-    throw new DeciWatchError(
-      'bad-option',
-      `Live playback takes no estimator of your own; choose one of ${ESTIMATOR_NAMES.join(', ')}.`,
-    );
-  }
-  const given = typeof name === 'function' ? 'a function' : name;
-  throw new DeciWatchError(
-    'bad-option',
-    `The estimator is ${given}; choose one of ${ESTIMATOR_NAMES.join(', ')}.`,
-  );
 }
 
 /** A listener that throws must not end the job; its error shows where uncaught ones do. */
@@ -91,8 +79,7 @@ class WorkerEngine implements Engine {
         'The camera is followed elsewhere on this page now: start it here again to have it back.',
       ),
     );
-    this.#running ??= start();
-    const { remote, life } = this.#running;
+    const { remote, life } = this.#worker();
     const session = new WorkerLiveSession(
       {
         remote,
@@ -105,17 +92,27 @@ class WorkerEngine implements Engine {
       settings,
     );
     this.#live = session;
-    // A worker that has died is started anew the next time.
-    life.onDeath(() => {
-      if (this.#running?.life === life) this.#stop();
-    });
     return session;
   }
 
   close(): void {
+    const reason = new DOMException('The engine was closed.', 'AbortError');
     this.#live?.close();
-    this.#closing.abort(new DOMException('The engine was closed.', 'AbortError'));
-    this.#stop();
+    this.#closing.abort(reason);
+    this.#running?.life.end(reason);
+  }
+
+  /** The one that runs, or a new one. */
+  #worker(): Running {
+    if (this.#running) return this.#running;
+    const running = start();
+    // The first of all who are told: whoever asks for a worker from then on gets another one.
+    running.life.onDeath(() => {
+      running.worker.terminate();
+      this.#running = undefined;
+    });
+    this.#running = running;
+    return running;
   }
 
   async #run(
@@ -126,8 +123,7 @@ class WorkerEngine implements Engine {
     signal: AbortSignal,
   ): Promise<RecoveredClip> {
     signal.throwIfAborted();
-    this.#running ??= start();
-    const { remote, life } = this.#running;
+    const { remote, life } = this.#worker();
     const abort = () => void remote.abort();
     signal.addEventListener('abort', abort);
     const tell = Comlink.proxy((progress: RecoverProgress) => {
@@ -143,16 +139,12 @@ class WorkerEngine implements Engine {
       if (caller?.failure && error instanceof DeciWatchError && error.code === 'estimator-failed') {
         throw caller.failure;
       }
-      if (error instanceof DeciWatchError && error.code === 'engine-crashed') this.#stop();
+      // Its state is unknown: whoever else waits for it waits in vain.
+      if (error instanceof DeciWatchError && error.code === 'engine-crashed') life.end(error);
       throw error;
     } finally {
       signal.removeEventListener('abort', abort);
     }
-  }
-
-  #stop(): void {
-    this.#running?.worker.terminate();
-    this.#running = undefined;
   }
 }
 
@@ -180,26 +172,9 @@ function unwrap(outcome: Outcome, signal: AbortSignal): RecoveredClip {
   switch (outcome.kind) {
     case 'done':
       return outcome.clip;
-    case 'failed':
-      throw new DeciWatchError(outcome.code, outcome.message);
-    case 'crashed':
-      throw crash(outcome.message);
     case 'aborted':
       throw signal.reason;
+    default:
+      throw errorOf(outcome);
   }
-}
-
-function crash(detail: string): DeciWatchError {
-  return new DeciWatchError(
-    'engine-crashed',
-    `The engine stopped working (${detail}): try again, and reload the page if it happens twice.`,
-  );
-}
-
-/** Rejects as soon as the signal says so, while the job ends in its own time. */
-function untilAborted<T>(job: Promise<T>, signal: AbortSignal): Promise<T> {
-  return new Promise((resolve, reject) => {
-    signal.addEventListener('abort', () => reject(signal.reason), { once: true });
-    job.then(resolve, reject);
-  });
 }

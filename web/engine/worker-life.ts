@@ -36,12 +36,19 @@ export class WorkerLife {
     return () => void this.#waiting.delete(listener);
   }
 
-  /** The worker has died. */
+  /** The worker has died, or is to be ended. */
   end(error: Error): void {
     if (this.#error) return;
     this.#error = error;
     const waiting = [...this.#waiting];
     this.#waiting.clear();
-    for (const tell of waiting) tell(error);
+    for (const tell of waiting) {
+      try {
+        tell(error);
+      } catch (thrown) {
+        // The others are told all the same.
+        reportError(thrown);
+      }
+    }
   }
 }

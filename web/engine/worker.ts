@@ -8,7 +8,7 @@ import type { Failure, WatchAnswer } from './live/messages.ts';
 import { PictureCanvas } from './live/picture-canvas.ts';
 import { LiveWork } from './live/work.ts';
 import type { EngineWorker, JobMessage, Look, Outcome, ProgressListener } from './messages.ts';
-import { Models } from './models.ts';
+import { type BorrowedEstimator, Models } from './models.ts';
 import { ProgressReporter } from './progress.ts';
 import { recoverClip } from './recover-clip.ts';
 import { RemoteEstimator } from './remote-estimator.ts';
@@ -29,6 +29,7 @@ async function run(
   checkSupport();
   // Opened first: a file that cannot be used costs no download.
   const clip = await openFile(file, name);
+  let borrowed: BorrowedEstimator | undefined;
   try {
     const { frameCount } = clip.info;
     models ??= new Models(files);
@@ -40,10 +41,12 @@ async function run(
     const recoverer = needsNets ? await models.recoverer(signal) : null;
     signal.throwIfAborted();
     progress.report('loading', 0.5, 0, frameCount);
-    const loaded = caller ?? (await models.estimator(estimator as EstimatorName, signal));
+    if (!caller) borrowed = await models.borrow(estimator as EstimatorName, signal);
     signal.throwIfAborted();
-    return await recoverClip({ clip, estimator: loaded, recoverer, every, progress, signal });
+    const used = caller ?? borrowed!.estimator;
+    return await recoverClip({ clip, estimator: used, recoverer, every, progress, signal });
   } finally {
+    borrowed?.release();
     clip.close();
   }
 }

@@ -33,6 +33,8 @@ const NOBODY: SpatialEstimate = {
 
 /** A pose for every frame, from the poses of the watched ones, in 2D and in 3D. */
 export class Recoverer {
+  #forecasts: Promise<void> | null = null;
+
   private constructor(
     private readonly files: FileSet,
     readonly pair2d: NetPair,
@@ -61,14 +63,22 @@ export class Recoverer {
   }
 
   /**
-   * Fetches the two nets that look ahead, unless they are there, and runs each once.
+   * Fetches the two nets that look ahead, and runs each once; where that has been done, or is being done, not again.
    * @throws DeciWatchError `model-missing` or `model-mismatch`; also where the manifest lists none
    */
-  async loadForecasts(signal?: AbortSignal): Promise<void> {
+  loadForecasts(): Promise<void> {
+    this.#forecasts ??= this.#addForecasts().catch((error) => {
+      this.#forecasts = null;
+      throw error;
+    });
+    return this.#forecasts;
+  }
+
+  async #addForecasts(): Promise<void> {
     const pairs = [this.pair2d, this.pair3d];
     const files = await Promise.all(
       pairs.map(({ entry }) => {
-        if (entry.forecast) return fetchListed(this.files, entry.forecast, signal);
+        if (entry.forecast) return fetchListed(this.files, entry.forecast);
         throw new DeciWatchError(
           'model-missing',
           'These nets cannot look ahead, since their manifest lists no forecast: choose the smooth mode.',
@@ -76,6 +86,7 @@ export class Recoverer {
       }),
     );
     for (const [i, pair] of pairs.entries()) {
+      // One of a try that failed at the other.
       if (pair.hasForecast) continue;
       await pair.addForecast(files[i]!);
       const times = Float64Array.of(0, 1 / 3);

@@ -5,8 +5,10 @@ import { DeciWatchError } from '../../errors.ts';
 import { LiveSampler } from '../../sampling/live-sampler.ts';
 import { MAX_GAP_SECONDS } from '../../sampling/segments.ts';
 import type { CameraFrame } from '../../sources/camera-frames.ts';
+import { checkEstimator } from '../check-estimator.ts';
 import type { EngineFiles } from '../files.ts';
 import type { EngineWorker } from '../messages.ts';
+import { crash, errorOf } from '../outcome.ts';
 import type { RecoveredClip } from '../types.ts';
 import type { WorkerLife } from '../worker-life.ts';
 import { CameraClock } from './camera-clock.ts';
@@ -42,6 +44,8 @@ export class WorkerLiveSession implements LiveSession {
   #sampler: LiveSampler;
   #meter = new LiveMeter(1);
   #ready = false;
+  /** Counts them: the last one's answer is the one that is waited for. */
+  #preparations = 0;
   #closed = false;
   #busy = false;
   #afresh = true;
@@ -100,6 +104,7 @@ export class WorkerLiveSession implements LiveSession {
 
   change(settings: LiveSettings): void {
     const before = this.#settings;
+    checkEstimator(settings.estimator);
     this.#sampler.choose(settings.every, settings.load);
     this.#settings = settings;
     // The old index counts multiples of the old N.
@@ -172,7 +177,7 @@ export class WorkerLiveSession implements LiveSession {
       }),
     );
     if (outcome.kind === 'done') return outcome.clip;
-    throw errorOf(outcome);
+    throw outcome.kind === 'aborted' ? crash('it was stopped') : this.#failed(outcome);
   }
 
   /** Closes it, and tells why. */
@@ -194,16 +199,18 @@ export class WorkerLiveSession implements LiveSession {
 
   /** Loads what the settings need; frames are not watched before it is there. */
   async #prepare(): Promise<void> {
+    const preparation = ++this.#preparations;
     this.#ready = false;
     this.#setState('loading');
     const { estimator, mode } = this.#settings;
     const needs = { estimator, forecast: mode === 'now', files: this.host.files };
     try {
       const answer = await this.host.life.whileAlive(this.host.remote.prepareLive(needs));
-      if (this.#closed) return;
-      if (answer.kind !== 'ready') throw errorOf(answer);
       // Somebody may have chosen another one meanwhile, which is being loaded.
-      if (estimator !== this.#settings.estimator) return;
+      const wanted = !this.#closed && preparation === this.#preparations;
+      if (answer.kind === 'crashed' || (wanted && answer.kind === 'failed'))
+        throw this.#failed(answer);
+      if (!wanted || answer.kind !== 'ready') return;
       if (answer.estimatorFlops !== this.#meter.estimatorFlops) {
         this.#meter = new LiveMeter(answer.estimatorFlops);
       }
@@ -232,8 +239,8 @@ export class WorkerLiveSession implements LiveSession {
       const answer = await this.host.life.whileAlive(
         this.host.remote.watch(Comlink.transfer(image, [image]), request),
       );
+      if (answer.kind !== 'watched') throw this.#failed(answer);
       if (this.#closed) return;
-      if (answer.kind !== 'watched') throw errorOf(answer);
       const now = performance.now() / 1000;
       this.#callSeconds = now - sent / 1000;
       this.#sampler.answered(this.#callSeconds, this.#clock.period);
@@ -294,15 +301,19 @@ export class WorkerLiveSession implements LiveSession {
     this.onStatus?.();
   }
 
+  /** What an answer stands for. After a crash the worker's state is unknown: nobody is to go on with it. */
+  #failed(failure: Failure): DeciWatchError {
+    const error = errorOf(failure);
+    if (failure.kind === 'crashed') this.host.life.end(error);
+    return error;
+  }
+
   #fail(error: unknown): void {
     if (this.#closed) return;
     const told =
       error instanceof DeciWatchError
         ? error
-        : new DeciWatchError(
-            'engine-crashed',
-            `Live playback stopped (${error instanceof Error ? error.message : String(error)}): start the camera again.`,
-          );
+        : crash(error instanceof Error ? error.message : String(error));
     const listener = this.onError;
     this.close();
     listener?.(told);
@@ -316,13 +327,4 @@ function pictureOf(video: HTMLVideoElement, time: number): VideoFrame | null {
   } catch {
     return null;
   }
-}
-
-function errorOf(failure: Failure | { readonly kind: 'aborted' }): DeciWatchError {
-  if (failure.kind === 'failed') return new DeciWatchError(failure.code, failure.message);
-  const detail = failure.kind === 'crashed' ? failure.message : 'it was stopped';
-  return new DeciWatchError(
-    'engine-crashed',
-    `The engine stopped working (${detail}): start the camera again, and reload the page if it happens twice.`,
-  );
 }
