@@ -106,6 +106,8 @@ describe('a clip', () => {
     player.every = 99;
     await vi.waitUntil(() => errors.length === 1, { timeout: 10 * SECONDS });
     expect(errors[0]!.type).toBe('bad-option');
+    // A frame that was on its way comes yet.
+    await new Promise((resolve) => setTimeout(resolve, 200));
     const { currentTime } = player;
     await new Promise((resolve) => setTimeout(resolve, 300));
     expect(player.currentTime).toBe(currentTime);

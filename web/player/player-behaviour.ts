@@ -16,7 +16,7 @@ import { formatCount } from './parts/format.ts';
 import type { PlaybackState } from './parts/playback.ts';
 import { progressWords } from './parts/progress-words.ts';
 import type { StageView } from './parts/stage-view.ts';
-import { PlayerProperties, SETTINGS, SOURCE } from './player-properties.ts';
+import { LIVE_SETTINGS, PlayerProperties, SETTINGS, SOURCE } from './player-properties.ts';
 import { type BorrowedEngine, borrowEngine } from './shared-engine.ts';
 import { SightController } from './sight.ts';
 import type { PlayerErrorDetail, PlayerEventMap } from './types.ts';
@@ -81,6 +81,8 @@ export abstract class PlayerBehaviour extends PlayerProperties {
   protected staged = false;
   /** Counts plays and pauses: a play that waits is overtaken by what is asked after it. */
   private asked = 0;
+  /** Plays that wait for a source that was set a moment ago. */
+  private waiting = 0;
   /** The browser's `<video>` cannot show the clip. */
   private unplayable = false;
   /** Seconds to go to once the clip is there. */
@@ -143,9 +145,10 @@ export abstract class PlayerBehaviour extends PlayerProperties {
     const asked = ++this.asked;
     this.wanted = true;
     if (this.notice?.type === 'play-refused') this.notice = null;
+    this.waiting++;
     await this.settled();
+    this.waiting--;
     if (asked !== this.asked) return;
-    this.wanted = true;
     if (this.camera) {
       this.problem = null;
       await this.follow();
@@ -172,24 +175,35 @@ export abstract class PlayerBehaviour extends PlayerProperties {
     this.problem = null;
     this.status = 'Loading.';
     await (this.clip ? this.clipSide.again() : this.clipSide.load());
+    // Nobody would take the worker from a player that is not on the page.
+    if (!this.isConnected) this.giveBack();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     // A page that only moves the player has put it back by then.
     queueMicrotask(() => {
-      if (!this.isConnected) this.reset();
+      if (this.isConnected) return;
+      this.asked++;
+      this.wanted = false;
+      this.reset();
     });
   }
 
   protected override willUpdate(changes: PropertyValues<this>): void {
     if (!this.hasUpdated) return;
-    if (SOURCE.some((name) => changes.has(name))) this.reset();
-    else if (SETTINGS.some((name) => changes.has(name))) this.changeSettings();
+    const settings = this.camera ? LIVE_SETTINGS : SETTINGS;
+    if (SOURCE.some((name) => changes.has(name))) {
+      // Whoever has asked for the new one to be played has not asked for a pause.
+      if (this.waiting === 0) this.wanted = false;
+      this.reset();
+    } else if (settings.some((name) => changes.has(name))) {
+      this.changeSettings();
+    }
   }
 
   protected override updated(changes: PropertyValues<this>): void {
-    const begins = [...SOURCE, ...SETTINGS, 'autoplay', 'preload'] as const;
+    const begins = [...SOURCE, ...LIVE_SETTINGS, 'autoplay', 'preload'] as const;
     if (begins.some((name) => changes.has(name))) this.begin();
   }
 
@@ -252,7 +266,8 @@ export abstract class PlayerBehaviour extends PlayerProperties {
     const { frames, estimatorCalls } = clip.cost;
     const { figure, sentence } = costHeadline(clip.cost);
     this.status = `Ready: ${formatCount(frames)} frames from ${formatCount(estimatorCalls)} looks, ${figure} ${sentence}.`;
-    await this.updateComplete;
+    // What was never on the page has no picture yet, and its first update waits for one.
+    if (this.hasUpdated) await this.updateComplete;
     if (this.clip !== clip) return;
     this.tell('load', clip);
     this.tell('cost', clip.cost);
@@ -289,6 +304,10 @@ export abstract class PlayerBehaviour extends PlayerProperties {
 
   private async follow(): Promise<void> {
     if (this.cameraSide.on) return;
+    if (!this.isConnected) {
+      this.resting = true;
+      return;
+    }
     this.begun = true;
     this.status = 'Asking for the camera.';
     if (await this.cameraSide.start()) this.status = 'The camera is on.';
@@ -321,7 +340,6 @@ export abstract class PlayerBehaviour extends PlayerProperties {
 
   /** Lets go of all that belongs to the source, and of the engine. */
   private reset(): void {
-    this.wanted = false;
     this.resting = false;
     this.begun = false;
     this.started = false;
@@ -333,6 +351,10 @@ export abstract class PlayerBehaviour extends PlayerProperties {
     this.notice = null;
     this.status = '';
     this.frame = 0;
+    this.giveBack();
+  }
+
+  private giveBack(): void {
     this.borrowed?.release();
     this.borrowed = null;
   }
@@ -345,7 +367,8 @@ export abstract class PlayerBehaviour extends PlayerProperties {
     } else if (inSight && this.resting) {
       this.resting = false;
       this.liveView?.rest(false);
-      if (this.clip) void this.start();
+      if (this.camera) void this.follow();
+      else if (this.clip) void this.start();
     }
     if (inSight) this.begin();
     this.requestUpdate();

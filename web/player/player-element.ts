@@ -188,12 +188,15 @@ export class PlayerElement extends PlayerBehaviour implements DeciWatchPlayer {
         break;
       case 'back':
       case 'forward':
-        this.pause();
-        if (playback) this.seek(playback.wantedFrame + (action.kind === 'back' ? -1 : 1));
-        break;
       case 'seek':
+        // Keys come also while there is nothing to go through.
+        if (!this.clip || !playback) break;
         this.pause();
-        this.seek(action.frame);
+        this.seek(
+          action.kind === 'seek'
+            ? action.frame
+            : playback.wantedFrame + (action.kind === 'back' ? -1 : 1),
+        );
         break;
       case 'mute':
         this.muted = !this.muted;

@@ -20,8 +20,11 @@ const ESTIMATOR = {
 /** What says what is played. */
 export const SOURCE = ['src', 'srcObject', 'camera', 'models'] as const;
 
-/** What says how its poses are recovered. */
-export const SETTINGS = ['every', 'estimator', 'mode'] as const;
+/** What says how a clip's poses are recovered. */
+export const SETTINGS = ['every', 'estimator'] as const;
+
+/** What says how the camera is followed. */
+export const LIVE_SETTINGS = [...SETTINGS, 'mode'] as const;
 
 /** The player's attributes and the properties that can be set; `DeciWatchPlayer` says what they mean. */
 export class PlayerProperties extends LitElement {

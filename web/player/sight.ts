@@ -6,9 +6,9 @@ export class SightController implements ReactiveController {
   readonly #onChange: (inSight: boolean) => void;
   readonly #observer: IntersectionObserver;
   #intersects = false;
-  #told = false;
+  #told: boolean | null = null;
 
-  /** @param onChange told when it changes; before the first time it counts as out of sight */
+  /** @param onChange told once it is known and when it changes; before, it counts as out of sight */
   constructor(host: ReactiveControllerHost & Element, onChange: (inSight: boolean) => void) {
     this.#host = host;
     this.#onChange = onChange;
@@ -20,7 +20,7 @@ export class SightController implements ReactiveController {
   }
 
   get inSight(): boolean {
-    return this.#told;
+    return this.#told === true;
   }
 
   hostConnected(): void {
@@ -32,7 +32,7 @@ export class SightController implements ReactiveController {
     this.#observer.disconnect();
     document.removeEventListener('visibilitychange', this.#tell);
     this.#intersects = false;
-    this.#told = false;
+    this.#told = null;
   }
 
   readonly #tell = () => {

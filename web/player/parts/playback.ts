@@ -128,8 +128,13 @@ export class Playback {
   }
 
   readonly #seeked = () => {
-    if (this.#wanted !== null && this.#wanted !== this.#target) this.seek(this.#wanted);
-    else if (this.#clock && !this.playing) this.#show(this.#clock.frameAt(this.#video.currentTime));
+    if (this.#wanted !== null && this.#wanted !== this.#target) {
+      this.seek(this.#wanted);
+      return;
+    }
+    // It is there, and plays on from there.
+    if (this.playing) this.#wanted = null;
+    if (this.#clock) this.#show(this.#clock.frameAt(this.#video.currentTime));
   };
 
   readonly #reset = () => {
