@@ -11,6 +11,9 @@ export const ENTRIES = {
   player: 'web/player/player.ts',
 };
 
+/** Where the types of each are. The player's own module knows private elements, and Lit, which are nobody's else. */
+const TYPES = { ...ENTRIES, player: 'web/player/types.ts' };
+
 /** It tells at every run which compiler it uses, and that this one is new to it. */
 const quiet: Logger = { info() {}, warn() {}, error: (...words) => console.error(...words) };
 
@@ -18,7 +21,7 @@ const quiet: Logger = { info() {}, warn() {}, error: (...words) => console.error
 export async function writeTypes(dir: string): Promise<void> {
   const bundle = await rolldown({
     cwd: PROJECT_ROOT,
-    input: ENTRIES,
+    input: TYPES,
     checks: { pluginTimings: false },
     plugins: [
       dts({ emitDtsOnly: true, tsconfig: join(PROJECT_ROOT, 'tsconfig.json'), logger: quiet }),

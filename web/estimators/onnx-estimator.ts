@@ -92,7 +92,8 @@ export class OnnxPoseEstimator<TTensor extends OnnxTensor> implements PoseEstima
   readonly #context: OffscreenCanvasRenderingContext2D;
 
   constructor(options: OnnxEstimatorOptions<TTensor>) {
-    this.#options = { ...DEFAULTS, ...options };
+    const given = Object.entries(options).filter(([, value]) => value !== undefined);
+    this.#options = { ...DEFAULTS, ...(Object.fromEntries(given) as typeof options) };
     this.#input = { ...DEFAULT_INPUT, ...options.input };
     this.name = options.name;
     this.skeleton = options.skeleton;
