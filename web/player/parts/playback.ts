@@ -7,6 +7,12 @@ export interface PlaybackState {
   readonly playing: boolean;
 }
 
+/** The element's own time of its first frame, for the file in it: known only while that is on screen. */
+const firstMediaTimes = new WeakMap<
+  HTMLVideoElement,
+  { readonly src: string; readonly time: number }
+>();
+
 /**
  * Plays a clip in a `<video>` and tells which of its frames is on screen. It listens to the element and
  * does not own it; {@link dispose} lets go of it.
@@ -16,7 +22,6 @@ export class Playback {
   readonly #onChange: (state: PlaybackState) => void;
   #clock: FrameClock | null = null;
   #times: Float64Array | null = null;
-  #firstMediaTime: number | null = null;
   #frame = 0;
   /** The frame asked for last; null while playing, or before any was asked for. */
   #wanted: number | null = null;
@@ -98,6 +103,12 @@ export class Playback {
     else cancelAnimationFrame(this.#callback);
   }
 
+  /** Seconds. Of the element: it may have been played by another playback before. */
+  get #firstMediaTime(): number | null {
+    const known = firstMediaTimes.get(this.#video);
+    return known?.src === this.#video.src ? known.time : null;
+  }
+
   #show(frame: number): void {
     this.#frame = frame;
     this.#tell();
@@ -121,7 +132,7 @@ export class Playback {
 
   #presented(mediaTime: number): void {
     if (this.#firstMediaTime === null && this.#video.currentTime === 0) {
-      this.#firstMediaTime = mediaTime;
+      firstMediaTimes.set(this.#video, { src: this.#video.src, time: mediaTime });
       if (this.#times) this.setTimes(this.#times);
     }
     if (this.#clock) this.#show(this.#clock.frameAt(mediaTime));
@@ -138,7 +149,7 @@ export class Playback {
   };
 
   readonly #reset = () => {
-    this.#firstMediaTime = null;
+    firstMediaTimes.delete(this.#video);
     this.#wanted = null;
     this.#target = null;
     this.#frame = 0;
