@@ -1,3 +1,12 @@
+import {
+  BlobSource,
+  BufferTarget,
+  Conversion,
+  Input,
+  MP4,
+  MpegTsOutputFormat,
+  Output,
+} from 'mediabunny';
 import { afterEach, beforeEach, describe, expect, test } from 'vitest';
 import type { DeciWatchErrorCode } from '../../web/errors.ts';
 import type { Clip, ClipFrame } from '../../web/sources/clip.ts';
@@ -6,6 +15,7 @@ import { type ClipName, fixture, known } from './fixtures.ts';
 import { OpenFrames } from './open-frames.ts';
 
 const BITS = 8;
+const TS_PACKET = 188;
 
 /** The number that a frame carries: one column (one row, once turned) for each bit, white is 1. */
 function barcode({ image }: ClipFrame): number {
@@ -110,4 +120,34 @@ test('damaged pictures are told of, and leave nothing open', async () => {
   });
   clip.close();
   await expect.poll(() => openFrames.count).toBe(0);
+});
+
+/** The same pictures as an MPEG transport stream, whose parts can be cut off anywhere. */
+async function transportStream(name: ClipName): Promise<Uint8Array<ArrayBuffer>> {
+  const input = new Input({ source: new BlobSource(await fixture(name)), formats: [MP4] });
+  const output = new Output({ format: new MpegTsOutputFormat(), target: new BufferTarget() });
+  await (await Conversion.init({ input, output })).execute();
+  return new Uint8Array(output.target.buffer!);
+}
+
+test('a recording that begins between two key frames is played from the first one on', async () => {
+  const bytes = await transportStream('barcode.mp4');
+  // Its tables stay; some of its first pictures go.
+  const cut = new Blob([bytes.slice(0, 2 * TS_PACKET), bytes.slice(22 * TS_PACKET)]);
+  const clip = await openFile(cut, 'cut.ts');
+  const { times } = known('barcode.mp4');
+  expect(clip.times.length).toBeGreaterThan(10);
+  expect(clip.times.length).toBeLessThan(times.length);
+  const frames = await read(clip, [...clip.times.keys()]);
+  clip.close();
+  const first = times.length - clip.times.length;
+  expect(frames.map(({ number }) => number)).toEqual([...clip.times.keys()].map((k) => k + first));
+});
+
+test('reading a file can be ended', async () => {
+  const bytes = await transportStream('barcode.mp4');
+  const signal = AbortSignal.abort(new DOMException('enough', 'AbortError'));
+  await expect(openFile(new Blob([bytes]), 'long.ts', signal)).rejects.toMatchObject({
+    name: 'AbortError',
+  });
 });

@@ -28,7 +28,7 @@ async function run(
 ): Promise<RecoveredClip> {
   checkSupport();
   // Opened first: a file that cannot be used costs no download.
-  const clip = await openFile(file, name);
+  const clip = await openFile(file, name, signal);
   let borrowed: BorrowedEstimator | undefined;
   try {
     const { frameCount } = clip.info;

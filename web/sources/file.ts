@@ -22,14 +22,15 @@ const SAME_TIME_S = 1e-4;
 
 /**
  * Opens a video file: reads which frames it has and when each is shown, decodes nothing yet.
- * @throws DeciWatchError `file-unreadable`, `file-truncated`, `no-video-track` or `codec-unsupported`
+ * @param signal ends the reading: some formats have no index, and are read to their end
+ * @throws DeciWatchError `file-unreadable`, `file-truncated`, `no-video-track` or `codec-unsupported`; the signal's reason
  */
-export async function openFile(file: Blob, name: string): Promise<Clip> {
+export async function openFile(file: Blob, name: string, signal?: AbortSignal): Promise<Clip> {
   const input = new Input({ source: new BlobSource(file), formats: FORMATS });
   try {
     if (!(await input.canRead())) throw notAVideo(name);
     const track = await videoTrack(input, name);
-    const { times, end } = await frameTimes(track);
+    const { times, end } = await frameTimes(track, signal);
     const first = times[0];
     if (first === undefined) {
       throw new DeciWatchError(
@@ -51,6 +52,7 @@ export async function openFile(file: Blob, name: string): Promise<Clip> {
     return new FileClip(info, times, track, input);
   } catch (error) {
     input.dispose();
+    signal?.throwIfAborted();
     if (error instanceof DeciWatchError) throw error;
     throw notAVideo(name, error);
   }
@@ -86,13 +88,19 @@ async function videoTrack(input: Input, name: string): Promise<InputVideoTrack> 
 }
 
 /** When each frame is shown, from the packets' metadata alone, and when the last one's time ends. */
-async function frameTimes(track: InputVideoTrack): Promise<{ times: Float64Array; end: number }> {
+async function frameTimes(
+  track: InputVideoTrack,
+  signal?: AbortSignal,
+): Promise<{ times: Float64Array; end: number }> {
   const starts: number[] = [];
   let end = Number.NEGATIVE_INFINITY;
+  let firstKey = Number.POSITIVE_INFINITY;
   const packets = new EncodedPacketSink(track).packets(undefined, undefined, {
     metadataOnly: true,
   });
-  for await (const { timestamp, duration } of packets) {
+  for await (const { timestamp, duration, type } of packets) {
+    signal?.throwIfAborted();
+    if (type === 'key') firstKey = Math.min(firstKey, timestamp);
     // What an edit list cuts off at the start lies before time zero, and is never shown.
     if (timestamp < 0 && timestamp + duration <= 0) continue;
     starts.push(timestamp);
@@ -100,7 +108,9 @@ async function frameTimes(track: InputVideoTrack): Promise<{ times: Float64Array
   }
   // Packets come in the order of decoding, which B-frames make another one.
   starts.sort((a, b) => a - b);
-  return { times: Float64Array.from(starts.filter((t, i) => t !== starts[i - 1])), end };
+  // A recording that begins within a group of pictures: what comes before its first key frame cannot be decoded.
+  const isFrame = (t: number, i: number) => t !== starts[i - 1] && t >= firstKey;
+  return { times: Float64Array.from(starts.filter(isFrame)), end };
 }
 
 class FileClip implements Clip {
@@ -133,7 +143,11 @@ class FileClip implements Clip {
         if (!sample) throw new Error('No sample');
         // A packet may hold no picture of its own (VP8's hidden frames): it is passed over.
         const isShown = Math.abs(sample.timestamp - time) < SAME_TIME_S;
-        if (isShown) sample.draw(context, 0, 0, width, height);
+        if (isShown) {
+          // Some videos are transparent.
+          context.clearRect(0, 0, width, height);
+          sample.draw(context, 0, 0, width, height);
+        }
         // Closed at once: the decoder stalls when frames are kept from it.
         sample.close();
         if (isShown) yield { index, time, image: canvas };
