@@ -117,6 +117,24 @@ describe('the camera on the built demo', () => {
     // The controls say again what the clip's poses were made with.
     await expect.poll(() => page.getByTestId('every').inputValue()).toBe('10');
     await page.getByTestId('start-camera').click();
+    await expect.poll(() => state(page), { timeout: 90_000 }).toBe('following');
+    // So is a recording that is put away while it is being recovered.
+    await page.getByTestId('record').click();
+    await page.waitForTimeout(1500);
+    await page.getByTestId('stop-recording').click();
+    await page.getByTestId('stop-camera').click();
+    await page.getByTestId('start-camera').click();
+    await page.waitForTimeout(3000);
+    expect(await page.getByTestId('error').count()).toBe(0);
+    await expect.poll(() => state(page), { timeout: 90_000 }).toBe('following');
+    // What is no video leaves the camera on.
+    await page.getByTestId('open-file').setInputFiles({
+      name: 'photo.jpg',
+      mimeType: 'image/jpeg',
+      buffer: Buffer.from('no video'),
+    });
+    expect(await page.getByTestId('error').textContent()).toMatch(/is not a video/);
+    expect(await state(page)).toBe('following');
     const track = (run: string) =>
       page.getByTestId('camera').evaluate((element, code) => {
         const stream = (element as HTMLVideoElement).srcObject as MediaStream;

@@ -78,18 +78,39 @@ describe('LiveMeter', () => {
   });
 });
 
+const SIZE = { width: 640, height: 480 };
+
 describe('Recording', () => {
+  test('ends where the camera was turned, in the pixels that it began with', async () => {
+    const recording = new Recording();
+    const turned = { width: 480, height: 640 };
+    for (let i = 0; i <= 24; i++) recording.addFrame(i / 30, i % 10 === 0, SIZE);
+    for (let i = 25; i <= 40; i++) recording.addFrame(i / 30, i % 10 === 0, turned);
+    for (const i of [0, 10, 20, 30]) {
+      recording.addWatched(
+        i / 30,
+        estimate(() => 0.9),
+        50,
+      );
+    }
+    expect(recording.until).toBeCloseTo(24 / 30);
+    await recording.end();
+    const { info, watched } = recording.finish('r')!;
+    expect(info).toMatchObject({ ...SIZE, frameCount: 21 });
+    expect(watched).toEqual([0, 10, 20]);
+  });
+
   test('runs from the first watched frame to the last one, times from 0', () => {
     const recording = new Recording();
-    recording.addFrame(9.9, false);
+    recording.addFrame(9.9, false, SIZE);
     expect(recording.since).toBeNull();
     const seen = estimate(() => 0.9);
-    for (let i = 0; i <= 22; i++) recording.addFrame(10 + i / 30, i % 10 === 0);
+    for (let i = 0; i <= 22; i++) recording.addFrame(10 + i / 30, i % 10 === 0, SIZE);
     expect(recording.since).toBe(10);
     recording.addWatched(10, seen, 50);
     recording.addWatched(10 + 10 / 30, null, 50);
     recording.addWatched(10 + 20 / 30, seen, 50);
-    const found = recording.finish('r.webm', 640, 480)!;
+    const found = recording.finish('r.webm')!;
     expect(found.info).toMatchObject({ name: 'r.webm', width: 640, frameCount: 21 });
     expect(found.info.frameRate).toBeCloseTo(30);
     expect([...found.times.slice(0, 2), found.times.length]).toEqual([
@@ -105,7 +126,7 @@ describe('Recording', () => {
   test('ends with the look after the one who stops it, and waits for its answer', async () => {
     const recording = new Recording();
     const seen = estimate(() => 0.9);
-    const frame = (i: number) => recording.addFrame(i / 30, i % 10 === 0);
+    const frame = (i: number) => recording.addFrame(i / 30, i % 10 === 0, SIZE);
     const answer = (i: number) => recording.addWatched(i / 30, seen, 50);
     for (let i = 0; i <= 14; i++) frame(i);
     answer(0);
@@ -120,22 +141,22 @@ describe('Recording', () => {
     expect(ended).toBe(false);
     answer(20);
     await end;
-    expect(recording.finish('r', 1, 1)!.info.frameCount).toBe(21);
+    expect(recording.finish('r')!.info.frameCount).toBe(21);
   });
 
   test('is nothing where nobody was seen, or it ended at once', () => {
     const recording = new Recording();
-    recording.addFrame(1, true);
+    recording.addFrame(1, true, SIZE);
     recording.addWatched(1, null, 5);
-    expect(recording.finish('r', 1, 1)).toBeNull();
+    expect(recording.finish('r')).toBeNull();
     const short = new Recording();
-    short.addFrame(1, true);
+    short.addFrame(1, true, SIZE);
     short.addWatched(
       1,
       estimate(() => 1),
       5,
     );
-    expect(short.finish('r', 1, 1)).toBeNull();
+    expect(short.finish('r')).toBeNull();
   });
 });
 

@@ -7,7 +7,7 @@ import type { PageEngine } from './page-engine.ts';
 import { type ClipFile, type Job, RecoverJob } from './recover-job.ts';
 import { fetchSample } from './sample.ts';
 import { savePoses } from './save-poses.ts';
-import { DEFAULT_SETTINGS, type Settings } from './settings.ts';
+import { DEFAULT_SETTINGS, isSame, type Settings } from './settings.ts';
 
 /** Long enough for a slider to come to rest. */
 const SETTLE_MS = 350;
@@ -50,6 +50,8 @@ export class ClipDesk implements ReactiveController {
   #status = '';
   /** Playback pauses while a job runs, so that the milliseconds measured are the job's own. */
   #resume = false;
+  /** Somebody has begun something of their own: the sample is not wanted any more. */
+  #taken = false;
 
   constructor(host: ReactiveControllerHost, engine: PageEngine, player: DeskPlayer) {
     this.#host = host;
@@ -110,11 +112,16 @@ export class ClipDesk implements ReactiveController {
     this.#shown = null;
   }
 
-  /** Opens the first video among some files. */
-  openFiles(files: readonly File[]): void {
+  /**
+   * Opens the first video among some files.
+   * @returns false where there is none, which is told
+   */
+  openFiles(files: readonly File[]): boolean {
+    this.#taken = true;
     const { file, note } = pickVideo(files);
     this.#say({ error: file ? '' : (note ?? ''), note: file ? (note ?? '') : '' });
     if (file) this.#open({ blob: file, name: file.name });
+    return file !== null;
   }
 
   /** Shows a clip whose poses are there already: a recording. */
@@ -133,6 +140,7 @@ export class ClipDesk implements ReactiveController {
 
   /** Something else is on the page now: stops work and playback, keeps what is there. */
   rest(): void {
+    this.#taken = true;
     const file = this.#cancelJob();
     this.#player.pause();
     if (file) this.#forget(file);
@@ -156,6 +164,7 @@ export class ClipDesk implements ReactiveController {
     this.#host.requestUpdate();
     const file = this.#work.job?.file ?? this.#shown?.file;
     if (!file || this.waiting) return;
+    if (!this.#work.job && isSame(settings, this.#shown?.result?.settings)) return;
     if (file.blank) {
       this.resume();
       this.#say({ note: BLANK });
@@ -167,7 +176,9 @@ export class ClipDesk implements ReactiveController {
 
   /** Recovers the open video where that was cancelled before. */
   start(): void {
-    if (this.#shown) this.#begin(this.#shown.file);
+    if (!this.#shown) return;
+    this.#say({ error: '' });
+    this.#begin(this.#shown.file);
   }
 
   cancel(): void {
@@ -208,10 +219,9 @@ export class ClipDesk implements ReactiveController {
   async #openSample(): Promise<void> {
     try {
       const file = await fetchSample();
-      // Somebody may have opened a video of their own meanwhile.
-      if (!this.#shown && !this.#work.job) this.#open(file);
+      if (!this.#taken) this.#open(file);
     } catch (error) {
-      this.#say({ error: (error as Error).message });
+      if (!this.#taken) this.#say({ error: (error as Error).message });
     }
   }
 

@@ -221,8 +221,8 @@ export class DeciWatchApp extends LitElement {
   }
 
   private openFiles(files: readonly File[]): void {
-    this.live.stop();
-    this.desk.openFiles(files);
+    // What is no video leaves the camera, and what it records, alone.
+    if (this.desk.openFiles(files)) this.live.stop();
   }
 
   private startCamera(): void {

@@ -15,3 +15,7 @@ export function stepEvery(settings: Settings, by: number): Settings {
   const every = Math.min(MAX_INTERVAL, Math.max(MIN_INTERVAL, settings.every + by));
   return { ...settings, every };
 }
+
+export function isSame(one: Settings, other: Settings | undefined): boolean {
+  return one.every === other?.every && one.estimator === other.estimator;
+}

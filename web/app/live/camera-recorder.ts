@@ -9,6 +9,8 @@ import { PictureRecorder } from './picture-recorder.ts';
 export interface Recorded {
   readonly file: ClipFile;
   readonly clip: RecoveredClip;
+  /** The picture was asked for, but the encoder gave up. */
+  readonly pictureLost: boolean;
 }
 
 /** One recording of a live session, perhaps with the camera's picture. */
@@ -51,10 +53,14 @@ export class CameraRecorder {
       return null;
     }
     const { width, height } = clip.source;
-    const blob = pictures
-      ? await pictures.finish()
-      : await blankVideo(clip.poses2d.times, width / height);
-    return { file: { blob, name, blank: !pictures }, clip };
+    // The poses are whole, whatever became of the picture.
+    const picture = await pictures?.finish().catch(() => null);
+    const blob = picture ?? (await blankVideo(clip.poses2d.times, width / height));
+    return {
+      file: { blob, name, blank: !picture },
+      clip,
+      pictureLost: Boolean(pictures && !picture),
+    };
   }
 
   /** Throws it away. */

@@ -17,6 +17,9 @@ import type { ClipFile } from '../recover-job.ts';
 import { DEFAULT_SETTINGS, type Settings } from '../settings.ts';
 import { CameraRecorder } from './camera-recorder.ts';
 
+const TURNED = 'The camera was turned: the recording ends there.';
+const PICTURE_LOST =
+  'The picture could not be encoded to its end: the recording has its poses alone.';
 const NOTHING_RECORDED =
   'Nothing was recorded: nobody was seen, or it was too short; record for a second or more.';
 
@@ -150,6 +153,7 @@ export class LiveDesk implements ReactiveController {
   /** Switches the camera off. A recording that runs is thrown away. */
   stop(): void {
     this.#recording = false;
+    this.#recovering = false;
     this.#recorder = null;
     void this.#running?.cancel();
     this.#running = null;
@@ -181,11 +185,15 @@ export class LiveDesk implements ReactiveController {
   frame(shown: ShownFrame): void {
     this.#follower.frame(shown);
     this.#running?.add(shown);
+    if (this.#recording && this.#running && this.session?.recordingUntil != null) {
+      this.#page.say({ note: TURNED });
+      void this.stopRecording();
+    }
   }
 
   startRecording(): void {
     const { session } = this;
-    if (!session || this.#recording) return;
+    if (!session || this.#recording || this.#recovering) return;
     this.#recording = true;
     this.#page.say({ status: 'Recording.' });
     const recorder = CameraRecorder.start(session, this.#choices.keepPicture);
@@ -196,7 +204,10 @@ export class LiveDesk implements ReactiveController {
         else void started.cancel();
       },
       (error) => {
+        if (this.#recorder !== recorder) return;
+        this.#recorder = null;
         this.#recording = false;
+        this.#recovering = false;
         this.#page.say({ error: messageOf(error) });
       },
     );
@@ -204,27 +215,32 @@ export class LiveDesk implements ReactiveController {
 
   /** Recovers what was recorded, and hands it to the page. */
   async stopRecording(): Promise<void> {
-    const recorder = this.#running;
-    if (!recorder || !this.#recording) return;
+    const starting = this.#recorder;
+    if (!starting || !this.#recording) return;
     this.#recording = false;
     this.#recovering = true;
     this.#host.requestUpdate();
     const settings = this.#settings;
+    // Thrown away meanwhile: the camera was put away, or something else was opened.
+    const isOver = () => this.#recorder !== starting;
     try {
-      const recorded = await recorder.finish();
+      const recorder = await starting;
+      const recorded = isOver() ? null : await recorder.finish();
+      if (isOver()) return;
+      this.#recorder = null;
       this.#running = null;
+      this.#recovering = false;
       if (recorded) {
         this.stop();
         this.#page.recorded(recorded.file, recorded.clip, settings);
+        if (recorded.pictureLost) this.#page.say({ note: PICTURE_LOST });
       } else {
         this.#page.say({ error: NOTHING_RECORDED });
       }
     } catch (error) {
-      this.#fail(error);
-    } finally {
-      this.#recovering = false;
-      this.#host.requestUpdate();
+      if (!isOver()) this.#fail(error);
     }
+    this.#host.requestUpdate();
   }
 
   #sessionSettings() {

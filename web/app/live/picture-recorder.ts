@@ -51,7 +51,7 @@ export class PictureRecorder {
     void this.#encode(frame);
   }
 
-  /** The whole video. */
+  /** The whole video. Rejects where the encoder gave up. */
   finish(): Promise<Blob> {
     return finishVideo(this.video);
   }
@@ -66,7 +66,7 @@ export class PictureRecorder {
     try {
       await this.source.add(sample);
     } catch {
-      // The encoder gave up: what it has so far is the video, and the poses are whole.
+      // The encoder gave up, which the end will tell.
     } finally {
       sample.close();
       this.#waiting--;

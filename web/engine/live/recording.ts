@@ -17,6 +17,7 @@ export class Recording {
   #ending = false;
   #until: number | null = null;
   #ended: () => void = () => {};
+  #size = { width: 0, height: 0 };
 
   /** Seconds on the page's clock: the first watched frame's; null until there is one. */
   get since(): number | null {
@@ -29,19 +30,32 @@ export class Recording {
   }
 
   /**
-   * A camera frame; the recording begins with the first one that is watched.
+   * A camera frame; the recording begins with the first one that is watched, and ends where the picture gets
+   * another size: the camera was turned.
    * @param time seconds on the page's clock
+   * @param size pixels
    */
-  addFrame(time: number, watched: boolean): void {
+  addFrame(
+    time: number,
+    watched: boolean,
+    size: { readonly width: number; readonly height: number },
+  ): void {
     if (this.#until !== null || !(watched || this.#times.length > 0)) return;
+    if (this.#times.length === 0) this.#size = size;
+    if (size.width !== this.#size.width || size.height !== this.#size.height) {
+      this.#until = this.#times.at(-1)!;
+      this.#ended();
+      return;
+    }
     this.#times.push(time);
     if (this.#ending && watched) this.#until = time;
   }
 
   /** Ends with the next look, so that frames up to now are recovered too. Waits for its answer. */
-  end(): Promise<void> {
+  async end(): Promise<void> {
+    if (this.#until !== null) return;
     this.#ending = true;
-    return new Promise((resolve) => {
+    await new Promise<void>((resolve) => {
       const timer = setTimeout(resolve, LAST_LOOK_MS);
       this.#ended = () => {
         clearTimeout(timer);
@@ -64,7 +78,7 @@ export class Recording {
    * The stretch from the first watched frame to the last one, times from 0; null where it is too short,
    * or nobody was seen in it.
    */
-  finish(name: string, width: number, height: number) {
+  finish(name: string) {
     const first = this.#watched[0];
     const last = this.#watched.at(-1);
     if (first === undefined || last === undefined || this.#seen.length === 0) return null;
@@ -76,8 +90,7 @@ export class Recording {
     const duration = times.at(-1)! + period;
     const info: ClipInfo = {
       name,
-      width,
-      height,
+      ...this.#size,
       frameCount,
       frameRate: frameCount / duration,
       duration,

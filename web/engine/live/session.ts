@@ -132,7 +132,7 @@ export class WorkerLiveSession implements LiveSession {
       this.#ready &&
       width > 0 &&
       this.#sampler.offer(this.#clock.index, this.#busy, this.#clock.period);
-    this.#recording?.addFrame(time, watched);
+    this.#recording?.addFrame(time, watched, this.#size);
     if (watched) void this.#look(video, time);
     this.#watch.frame(told);
     this.#updateState(told);
@@ -161,8 +161,7 @@ export class WorkerLiveSession implements LiveSession {
   async stopRecording(name: string): Promise<RecoveredClip | null> {
     const recording = this.#recording;
     await recording?.end();
-    const { width, height } = this.#size ?? { width: 0, height: 0 };
-    const found = recording?.finish(name, width, height) ?? null;
+    const found = recording?.finish(name) ?? null;
     this.#recording = null;
     if (!found) return null;
     const outcome = await this.host.life.whileAlive(
