@@ -1,7 +1,8 @@
-import { mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { rmSync } from 'node:fs';
+import { mkdtemp, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { chromium } from 'playwright-core';
+import { type Browser, chromium } from 'playwright-core';
 import { CHROMIUM_ARGS, findChromium } from './chromium.ts';
 import { buildAndServe } from './site.ts';
 
@@ -18,14 +19,16 @@ export interface CameraClip {
  * @param width pixels
  */
 export async function makeCameraClip(path: string, width = 640): Promise<CameraClip> {
-  const site = await buildAndServe(PAGE);
-  const browser = await chromium.launch({
-    executablePath: await findChromium(),
-    args: [...CHROMIUM_ARGS],
-  });
+  const executablePath = await findChromium();
   const folder = await mkdtemp(join(tmpdir(), 'deciwatch-camera-'));
   const file = join(folder, 'clip.mjpeg');
+  const removeNow = () => rmSync(folder, { recursive: true, force: true });
+  // Interrupted, a command ends without removing it.
+  process.once('exit', removeNow);
+  const site = await buildAndServe(PAGE);
+  let browser: Browser | undefined;
   try {
+    browser = await chromium.launch({ executablePath, args: [...CHROMIUM_ARGS] });
     const page = await browser.newPage();
     await page.goto(new URL(PAGE, site.url).href);
     await page.waitForFunction(() => window.jpegsOfChosenClip !== undefined);
@@ -33,7 +36,7 @@ export async function makeCameraClip(path: string, width = 640): Promise<CameraC
     const jpegs = await page.evaluate((pixels) => window.jpegsOfChosenClip!(pixels), width);
     await writeFile(file, Buffer.concat(jpegs.map((jpeg) => Buffer.from(jpeg, 'base64'))));
   } finally {
-    await browser.close();
+    await browser?.close();
     await site.close();
   }
   return {
@@ -42,6 +45,9 @@ export async function makeCameraClip(path: string, width = 640): Promise<CameraC
       '--use-fake-device-for-media-stream',
       `--use-file-for-fake-video-capture=${file}`,
     ],
-    remove: () => rm(folder, { recursive: true, force: true }),
+    async remove() {
+      removeNow();
+      process.off('exit', removeNow);
+    },
   };
 }

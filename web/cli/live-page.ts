@@ -39,24 +39,24 @@ export class LivePage {
 
   /** @param clip a video file; else the bundled sample */
   static async start(clip = SAMPLE, args: readonly string[] = []): Promise<LivePage> {
+    const executablePath = await findChromium();
     const camera = await makeCameraClip(clip);
-    const site = await buildAndServe('index.html');
-    const browser = await chromium.launch({
-      executablePath: await findChromium(),
-      args: [...CHROMIUM_ARGS, ...camera.args, ...args],
-    });
-    const context = await browser.newContext({ viewport: { width: 1280, height: 900 } });
-    const page = await context.newPage();
-    await page.addInitScript(() => {
-      const tasks: number[] = [];
-      new PerformanceObserver((list) => {
-        for (const { duration } of list.getEntries()) tasks.push(duration);
-      }).observe({ type: 'longtask', buffered: true });
-      Object.assign(window, { longTasks: tasks });
-    });
-    await page.goto(site.url);
-    await page.waitForSelector('html[data-state="ready"]', { timeout: 120_000 });
-    return new LivePage(site, camera, browser, page);
+    let site: Site | undefined;
+    let browser: Browser | undefined;
+    try {
+      site = await buildAndServe('index.html');
+      browser = await chromium.launch({
+        executablePath,
+        args: [...CHROMIUM_ARGS, ...camera.args, ...args],
+      });
+      return new LivePage(site, camera, browser, await openPage(browser, site));
+    } catch (error) {
+      // What stays open would keep the command from ending.
+      await browser?.close();
+      await site?.close();
+      await camera.remove();
+      throw error;
+    }
   }
 
   /** Starts the camera, and waits until somebody is followed. */
@@ -99,4 +99,20 @@ export class LivePage {
     await this.site.close();
     await this.clip.remove();
   }
+}
+
+/** The page once its sample has been recovered. */
+async function openPage(browser: Browser, site: Site): Promise<Page> {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 } });
+  const page = await context.newPage();
+  await page.addInitScript(() => {
+    const tasks: number[] = [];
+    new PerformanceObserver((list) => {
+      for (const { duration } of list.getEntries()) tasks.push(duration);
+    }).observe({ type: 'longtask', buffered: true });
+    Object.assign(window, { longTasks: tasks });
+  });
+  await page.goto(site.url);
+  await page.waitForSelector('html[data-state="ready"]', { timeout: 120_000 });
+  return page;
 }

@@ -10,12 +10,24 @@ async function isDirectory(path: string): Promise<boolean> {
   );
 }
 
+async function exists(path: string): Promise<boolean> {
+  return stat(path).then(
+    () => true,
+    () => false,
+  );
+}
+
 /**
  * Where each clip's pose file goes: `out` itself when it names a file, else into the folder `out`,
  * else into the current folder.
- * @throws UsageError when two clips would be written to the same file.
+ * @throws UsageError when two clips would be written to the same file, or `out` is another file.
  */
 export async function outputPaths(clips: readonly string[], out?: string): Promise<string[]> {
+  if (out && !out.endsWith('.json') && (await exists(out)) && !(await isDirectory(out))) {
+    throw new UsageError(
+      `--out ${out} is a file that is there already: name a folder, or a .json file.`,
+    );
+  }
   const namesFile = out?.endsWith('.json') && !(await isDirectory(out));
   if (out && namesFile && clips.length > 1) {
     throw new UsageError(
