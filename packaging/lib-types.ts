@@ -11,7 +11,7 @@ export const ENTRIES = {
   player: 'web/player/player.ts',
 };
 
-/** Where the types of each are. The player's own module knows private elements, and Lit, which are nobody's else. */
+/** Where the types of each are. The player's own module knows private elements and Lit, which are nobody else's business. */
 const TYPES = { ...ENTRIES, player: 'web/player/types.ts' };
 
 /** It tells at every run which compiler it uses, and that this one is new to it. */

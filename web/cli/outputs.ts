@@ -10,9 +10,9 @@ async function isDirectory(path: string): Promise<boolean> {
   );
 }
 
-async function exists(path: string): Promise<boolean> {
+async function isFile(path: string): Promise<boolean> {
   return stat(path).then(
-    () => true,
+    (found) => found.isFile(),
     () => false,
   );
 }
@@ -23,7 +23,7 @@ async function exists(path: string): Promise<boolean> {
  * @throws UsageError when two clips would be written to the same file, or `out` is another file.
  */
 export async function outputPaths(clips: readonly string[], out?: string): Promise<string[]> {
-  if (out && !out.endsWith('.json') && (await exists(out)) && !(await isDirectory(out))) {
+  if (out && !out.endsWith('.json') && (await isFile(out))) {
     throw new UsageError(
       `--out ${out} is a file that is there already: name a folder, or a .json file.`,
     );

@@ -21,7 +21,7 @@ const LOST = 'The graphics card dropped the 3D view; it comes back by itself.';
 const NOT_LOADED = 'The 3D view could not be loaded; reload the page to try again.';
 /** Phones have eight, and the page may draw by WebGL itself. */
 const contexts = new ContextShare(6);
-/** About a screen beyond the window's edge: it is there again before it is seen. */
+/** Half a window beyond its edge: it is there again before it is seen. */
 const SIGHT_MARGIN = '50%';
 const TURN_DEG = 15;
 const ZOOM = 1.2;
